@@ -2,21 +2,19 @@
 #ifndef WEFT_TESTS_PLAY_H
 #define WEFT_TESTS_PLAY_H
 #include "testing.h"
-#include <stdlib.h>
-#include <string.h>
 #include "testbed/platform.h"
 
 /* in: of the next frame, for those who give frames one by one and not by a script. sparing: of a long wait each eighth picture is drawn,
    and the last two, where a test is not about pictures. */
 typedef struct play { game_memory memory; frame_buffer buffer; game_file file; game_input in; bool sparing; char text[32768]; } play;
 
-static inline void play_begin(play *p, int width, int height, float scale)
+static inline play play_open(int width, int height, float scale)
 {
-    memset(p, 0, sizeof *p);
-    p->memory = (game_memory){ calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE,
-                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, NULL, NULL, NULL, NULL, 0, 0 };
-    p->buffer = (frame_buffer){ calloc((size_t)(width * height), 4), width, height, width, scale };
-    assert_true(p->memory.permanent && p->memory.transient && p->buffer.pixels);
+    play p = { .memory = { calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE, calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE,
+                           NULL, NULL, NULL, NULL, 0, 0 },
+               .buffer = { calloc((size_t)(width * height), 4), width, height, width, scale } };
+    assert_true(p.memory.permanent && p.memory.transient && p.buffer.pixels);
+    return p;
 }
 
 static inline void play_end(play *p)

@@ -3,8 +3,6 @@
 #ifndef WEFT_TESTS_READ_PNG_H
 #define WEFT_TESTS_READ_PNG_H
 #include "testing.h"
-#include <stdlib.h>
-#include <string.h>
 #if defined(__has_include)
 #if __has_include(<stb/stb_image.h>)
 #define STB_IMAGE_IMPLEMENTATION

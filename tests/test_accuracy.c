@@ -23,9 +23,8 @@ static wfAccuracy point(double error, double cost)
 }
 
 /* -------------------------------------------------------------------------------------------------------------- choosing */
-static void test_cheapest_below_the_tolerance(void **state)
+TEST(test_cheapest_below_the_tolerance)
 {
-    (void)state;
     wfAccuracy p[5] = { point(1e-2, 1), point(1e-3, 4), point(1e-3, 3), point(1e-4, 9), point(1e-5, 2) }, out;
     p[4].failed = 1;
     assert_ok(wfChooseSettings(p, 5, WF_R(0.1), &out));
@@ -45,9 +44,8 @@ static void test_cheapest_below_the_tolerance(void **state)
     assert_near(out.error, 5e-4, 1e-9);
 }
 
-static void test_best_within_the_budget(void **state)
+TEST(test_best_within_the_budget)
 {
-    (void)state;
     wfAccuracy p[4] = { point(1e-2, 1), point(1e-3, 4), point(1e-3, 3), point(1e-9, 1) }, out;
     p[3].failed = 1;
     assert_ok(wfChooseForBudget(p, 4, 1, 100, &out));
@@ -62,9 +60,8 @@ static void test_best_within_the_budget(void **state)
 static uint32_t seed = 1;
 static double some(void) { return (double)((seed = seed * 1664525u + 1013904223u) >> 8) / (1 << 24); }
 
-static void test_random_curves(void **state)
+TEST(test_random_curves)
 {
-    (void)state;
     for (int round = 0; round < 1000; round++) {
         wfAccuracy p[20], out;
         double last = 0;
@@ -112,9 +109,8 @@ static int curve_of(const char *name, int frames, double frame, int finest, wfAc
     return count;
 }
 
-static void test_orders(void **state)
+TEST(test_orders)
 {
-    (void)state;
     wfAccuracy p[WF_CURVE_POINTS];
     int count = curve_of("spring", 8, 0.125, 16, p);            /* coarse, so that rounding has no say */
     double soft = error_of(p, count, "soft-1", 2) / error_of(p, count, "soft-1", 4);
@@ -124,9 +120,8 @@ static void test_orders(void **state)
     assert_true(error_of(p, count, "exact-1", 1) < 0);          /* no room for it in this world */
 }
 
-static void test_smooth_methods_only_where_nothing_touches(void **state)
+TEST(test_smooth_methods_only_where_nothing_touches)
 {
-    (void)state;
     static const char *const scenes[] = { "slide", "pendulum", "spring" };
     for (int s = 0; s < 3; s++) {
         wfAccuracy p[WF_CURVE_POINTS];
@@ -136,9 +131,8 @@ static void test_smooth_methods_only_where_nothing_touches(void **state)
     }
 }
 
-static void test_the_same_twice_and_the_world_untouched(void **state)
+TEST(test_the_same_twice_and_the_world_untouched)
 {
-    (void)state;
     wfAccuracy p[WF_CURVE_POINTS], q[WF_CURVE_POINTS];
     wfWorld world = make("chain");
     wfCurveDef how = wfDefaultCurveDef();
@@ -167,9 +161,8 @@ static void test_the_same_twice_and_the_world_untouched(void **state)
 static double ticks;
 static double false_clock(void *context) { return ticks += *(double *)context; }
 
-static void test_a_clock_that_is_handed_in(void **state)
+TEST(test_a_clock_that_is_handed_in)
 {
-    (void)state;
     wfAccuracy p[WF_CURVE_POINTS], q[WF_CURVE_POINTS];
     wfWorld world = make("pendulum");
     wfCurveDef how = wfDefaultCurveDef();
@@ -189,17 +182,15 @@ static void test_a_clock_that_is_handed_in(void **state)
     wfDestroyWorld(&world);
 }
 
-static void test_failures_are_points(void **state)
+TEST(test_failures_are_points)
 {
-    (void)state;
     wfAccuracy p[WF_CURVE_POINTS], out;
-    wfWorld world;
     wfWorldDef def = wfDefaultWorldDef();
     wfBodyDef body = wfDefaultBodyDef();
     wfCurveDef how = wfDefaultCurveDef();
     int32_t count = 0, failed = 0;
     body.mass = 1, body.position = wfV2(1, 0);
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     wfBodyId id = add(&world, body);
     wfForce f = wfSpringToPoint(wfBodyIndex(&world, id), wfV2(0, 0), wfV2(0, 0), 0, WF_R(2e6), 0);
     assert_ok(wfAddForceToWorld(&world, &f, NULL));             /* 225 swings a second: a frame's step explodes */
@@ -212,9 +203,8 @@ static void test_failures_are_points(void **state)
 }
 
 /* ------------------------------------------------------------------------------------------------------------- tolerances */
-static void test_promises_are_kept(void **state)
+TEST(test_promises_are_kept)
 {
-    (void)state;
     static const char *const scenes[] = { "spring", "orbit", "projectile", "pendulum", "double-pendulum", "chain", "ball", "stack" };
     for (int s = 0; s < 8; s++) {
         const labTruth *scene = &labTruths[labFindTruth(scenes[s])];
@@ -234,9 +224,8 @@ static void test_promises_are_kept(void **state)
     }
 }
 
-static void test_tolerance_is_measuring_and_choosing(void **state)
+TEST(test_tolerance_is_measuring_and_choosing)
 {
-    (void)state;
     wfAccuracy p[WF_CURVE_POINTS], c, d;
     int count = curve_of("double-pendulum", 0, 0, 32, p);
     for (double t = 1e-2; t > 0.5e-4; t /= 3) {
@@ -256,9 +245,8 @@ static void test_tolerance_is_measuring_and_choosing(void **state)
     }
 }
 
-static void test_chaos_is_refused(void **state)
+TEST(test_chaos_is_refused)
 {
-    (void)state;
     wfAccuracy p[WF_CURVE_POINTS], out;
     int count = curve_of("pile", 0, 0, 8, p);
     assert_true(count > 0);
@@ -266,9 +254,8 @@ static void test_chaos_is_refused(void **state)
 }
 
 /* --------------------------------------------------------------------------------------------------------------- bad input */
-static void test_bad_numbers(void **state)
+TEST(test_bad_numbers)
 {
-    (void)state;
     wfWorld world = make("pendulum"), none = { .memory = { .owned = 0 } };
     wfAccuracy p[WF_CURVE_POINTS], good = point(0.1, 1), out = good, bad;
     wfCurveDef how;
@@ -325,9 +312,8 @@ static void test_bad_numbers(void **state)
     wfDestroyWorld(&world);
 }
 
-static void test_frames_of_any_length(void **state)
+TEST(test_frames_of_any_length)
 {
-    (void)state;
     static const double frames[] = { 1e-9, 1e-3, 0.5, 1, 100 };
     for (int i = 0; i < 5; i++) {
         wfWorld world = make("projectile");
@@ -349,9 +335,8 @@ static wfAccuracy chosen_for(const char *name, double tolerance)
     return c;
 }
 
-static void test_worlds_apart_choose_for_themselves(void **state)
+TEST(test_worlds_apart_choose_for_themselves)
 {
-    (void)state;
     wfAccuracy chain = chosen_for("chain", 1e-3), flight = chosen_for("projectile", 1e-3), stack = chosen_for("stack", 1e-3);
     int most = wfMethodTable[chain.method].substeps * chain.steps;
     assert_true(wfMethodTable[flight.method].substeps * flight.steps < most);       /* none is dragged along by the chain */
@@ -408,9 +393,8 @@ static void assert_same_motion(const wfWorld *a, const wfWorld *b, int32_t first
 }
 
 /* A body with a number moves as it would in a world that makes so many; the others as if nobody had one: to the bit. */
-static void test_islands_step_apart_to_the_bit(void **state)
+TEST(test_islands_step_apart_to_the_bit)
 {
-    (void)state;
     for (int32_t lanes = 0; lanes < 2; lanes++) {
         Crowd four = crowd(4, 0), one = crowd(1, 0), mixed = crowd(4, lanes);
         int32_t tower = wfBodyIndex(&mixed.world, mixed.box[3]), disc = wfBodyIndex(&mixed.world, mixed.disc);
@@ -434,9 +418,8 @@ static void test_islands_step_apart_to_the_bit(void **state)
 }
 
 /* Contacts come back to where they were: their impulses are those of the same shapes. */
-static void test_contacts_keep_their_order(void **state)
+TEST(test_contacts_keep_their_order)
 {
-    (void)state;
     Crowd all = crowd(4, 0), mixed = crowd(4, 0);
     for (int i = 0; i < CROWD; i += 2) assert_ok(wfSetBodySubsteps(&mixed.world, mixed.box[i], 1 + i % 3));
     for (int step = 0; step < 30; step++) {
@@ -454,9 +437,8 @@ static void test_contacts_keep_their_order(void **state)
 }
 
 /* Who touches a body that needs all substeps makes all, however long the row between them; a joint does the same. */
-static void test_a_number_is_passed_on(void **state)
+TEST(test_a_number_is_passed_on)
 {
-    (void)state;
     for (int at = 0; at < 3; at++) {                /* the demanding one at either end, or in the middle */
         wfWorld world[2];
         for (int w = 0; w < 2; w++) {
@@ -489,9 +471,8 @@ static void test_a_number_is_passed_on(void **state)
 }
 
 /* The number as a value in a journal: what is replayed has it, too, and what is wrong is not noted. */
-static void test_numbers_are_noted(void **state)
+TEST(test_numbers_are_noted)
 {
-    (void)state;
     static uint8_t bytes[4096];
     int32_t stepped;
     Crowd played = crowd(4, 0), shown = crowd(4, 0);
@@ -511,9 +492,8 @@ static void test_numbers_are_noted(void **state)
     wfDestroyWorld(&played.world), wfDestroyWorld(&shown.world);
 }
 
-static void test_numbers_of_bodies(void **state)
+TEST(test_numbers_of_bodies)
 {
-    (void)state;
     Crowd c = crowd(4, 0);
     wfBodyId gone = c.box[0];
     assert_int_equal(wfBodySubsteps(&c.world, c.box[1]), 0);
@@ -532,9 +512,8 @@ static void test_numbers_of_bodies(void **state)
 
 /* A tolerance lets those make fewer who can: the chain makes all, towers and flights do not. What is promised for the
    mixture is kept, against the truth; and calling it again does not build on the old numbers. */
-static void test_a_tolerance_lets_islands_do_with_less(void **state)
+TEST(test_a_tolerance_lets_islands_do_with_less)
 {
-    (void)state;
     for (double t = 1e-3; t > 0.5e-4; t /= 10) {
         labMixed m;
         assert_int_equal(labMixedRun(2, t, 1, 1, &m), 0);
@@ -556,9 +535,8 @@ static void test_a_tolerance_lets_islands_do_with_less(void **state)
 }
 
 /* ------------------------------------------------------------------------------------------------ the search for contacts */
-static void test_broad_phases_waste_and_never_miss(void **state)
+TEST(test_broad_phases_waste_and_never_miss)
 {
-    (void)state;
     labSearch s, first;
     assert_int_equal(labSearchBroad("brute-force", 0, 0, &first), 0);
     assert_near(first.tests, 399.0 / 2, 0);                     /* n (n - 1) / 2 for n bodies */
@@ -577,9 +555,8 @@ static void test_broad_phases_waste_and_never_miss(void **state)
     assert_int_equal(labSearchBroad("no such method", 0, 0, &s), 1);
 }
 
-static void test_narrow_phases_by_corners(void **state)
+TEST(test_narrow_phases_by_corners)
 {
-    (void)state;
     labNarrow n, twice;
     for (int i = 0; i < wfNarrowPhaseCount; i++) {
         const char *name = wfNarrowPhaseTable[i].name;
@@ -600,9 +577,8 @@ static void test_narrow_phases_by_corners(void **state)
     assert_true(n.worst < 1e-6);
 }
 
-static void test_rows(void **state)
+TEST(test_rows)
 {
-    (void)state;
     int rungs = 1;
     for (int n = 1; n < 128; n *= 2) rungs++;
     assert_true(wfMethodCount * rungs <= WF_CURVE_POINTS);
@@ -615,25 +591,4 @@ static void test_rows(void **state)
         for (int k = 0; k < i; k++) assert_string_not_equal(m->name, wfMethodTable[k].name);
     }
     for (int i = 0; i < labTruthCount; i++) assert_true(labTruthError(&labTruths[i]) < 1e-8);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cheapest_below_the_tolerance), cmocka_unit_test(test_best_within_the_budget),
-        cmocka_unit_test(test_random_curves), cmocka_unit_test(test_orders),
-        cmocka_unit_test(test_smooth_methods_only_where_nothing_touches),
-        cmocka_unit_test(test_the_same_twice_and_the_world_untouched), cmocka_unit_test(test_a_clock_that_is_handed_in),
-        cmocka_unit_test(test_failures_are_points), cmocka_unit_test(test_promises_are_kept),
-        cmocka_unit_test(test_tolerance_is_measuring_and_choosing), cmocka_unit_test(test_chaos_is_refused),
-        cmocka_unit_test(test_bad_numbers), cmocka_unit_test(test_frames_of_any_length), cmocka_unit_test(test_worlds_apart_choose_for_themselves),
-        cmocka_unit_test(test_islands_step_apart_to_the_bit),
-        cmocka_unit_test(test_contacts_keep_their_order),
-        cmocka_unit_test(test_a_number_is_passed_on),
-        cmocka_unit_test(test_numbers_of_bodies),
-        cmocka_unit_test(test_numbers_are_noted),
-        cmocka_unit_test(test_a_tolerance_lets_islands_do_with_less),
-        cmocka_unit_test(test_broad_phases_waste_and_never_miss), cmocka_unit_test(test_narrow_phases_by_corners), cmocka_unit_test(test_rows),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

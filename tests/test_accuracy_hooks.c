@@ -145,9 +145,8 @@ static int look_for_worlds(const char *header)
     return found;
 }
 
-static void every_function_that_changes_a_world_has_a_row(void **unused)
+TEST(every_function_that_changes_a_world_has_a_row)
 {
-    (void)unused;
     static const char *const headers[] = { "world", "inspect", "settings", "modules", "callbacks", "origin", "material", "mouse", "disable", "frames", "save", "accuracy" };
     int found = 0;
     for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) found += look_for_worlds(headers[i]);
@@ -192,10 +191,9 @@ static double looks_at_the_clock(void *context)
 
 static wfWorld filled(void)
 {
-    wfWorld made;
     wfWorldDef def = wfDefaultWorldDef();
     def.advanced.materialPairCapacity = 2;
-    assert_ok(wfCreateWorld(&def, &made));
+    wfWorld made = world_with(&def);
     add(&made, floor_def());
     for (int i = 0; i < 8; i++) with.bodyId = add(&made, ball_def(i % 3, 0.5 + i / 3, 0.5));
     with.shapeId = wfFirstShape(&made, with.bodyId);
@@ -213,9 +211,8 @@ static wfWorld filled(void)
     return made;
 }
 
-static void only_looking_is_allowed_in_a_step(void **unused)
+TEST(only_looking_is_allowed_in_a_step)
 {
-    (void)unused;
     static _Alignas(16) uint8_t ring[1 << 18], notes[2][1 << 10], keep[1 << 18], more[1 << 18];
     static double seconds[64];
     const wfCallbacks hooks[2] = { { .filter = filters }, { .preSolve = sees } };
@@ -253,13 +250,4 @@ static void only_looking_is_allowed_in_a_step(void **unused)
         assert_ok(wfDestroyWorld(&made));
         assert_ok(wfDestroyWorld(&twin));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_function_that_changes_a_world_has_a_row),
-        cmocka_unit_test(only_looking_is_allowed_in_a_step),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

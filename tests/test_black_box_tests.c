@@ -4,9 +4,8 @@
 #include "weft/weft.h"
 
 /* Fewer tries than the book's, so that every build has time for them. */
-static void as_expected(void **unused)
+TEST(as_expected)
 {
-    (void)unused;
     for (int32_t i = 0; i < labCaseCount; i++) {
         const labCase *c = &labCases[i];
         double worst = c->worst(c->tries / 10);
@@ -15,9 +14,8 @@ static void as_expected(void **unused)
 }
 
 /* The list is the report's: eight cases in its order, each with a use of its own and a bound that is not a blank cheque. */
-static void list(void **unused)
+TEST(list)
 {
-    (void)unused;
     assert_int_equal(labCaseCount, 8);
     for (int32_t i = 0; i < labCaseCount; i++) {
         char id[16];
@@ -29,9 +27,8 @@ static void list(void **unused)
 }
 
 /* A case sees the same input each time it is asked: the book's table can be made again. */
-static void repeatable(void **unused)
+TEST(repeatable)
 {
-    (void)unused;
     for (int32_t i = 0; i < labCaseCount; i++) {
         double first = labCases[i].worst(5);
         assert_true(first == labCases[i].worst(5));
@@ -73,19 +70,12 @@ static int is_beside(const wfShape *a, wfTransform xa, const wfShape *b, wfTrans
     return count;
 }
 
-static void tc04_catches_who_is_wrong(void **unused)
+TEST(tc04_catches_who_is_wrong)
 {
-    (void)unused;
     labCollide *const wrong[] = { finds_nothing, finds_no_depth, forgets_circles, sees_ghosts, is_beside };
     const labCase *c = &labCases[3];
     assert_true(labPoints(c->tries, wfCollide) == c->worst(c->tries));
     assert_true(labPoints(c->tries, wfCollide) <= c->bound);
     for (int i = 0; i < (int)(sizeof wrong / sizeof *wrong); i++)
         if (!(labPoints(c->tries, wrong[i]) > c->bound)) fail_msg("number %d passes", i);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(tc04_catches_who_is_wrong), cmocka_unit_test(as_expected), cmocka_unit_test(list), cmocka_unit_test(repeatable) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -27,17 +27,15 @@ static wfBodyState random_body(wfRandom *r, wfReal mass, wfReal inertia)
 
 static double cross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
-static void the_hot_state_is_half_a_cache_line(void **state)
+TEST(the_hot_state_is_half_a_cache_line)
 {
-    (void)state;
     assert_int_equal(sizeof(wfBodyState), 8 * sizeof(wfReal));
     if (sizeof(wfReal) == 4) assert_int_equal(sizeof(wfBodyState), 32);
 }
 
 /* ---- set-up -------------------------------------------------------------------------------------------------------- */
-static void the_default_is_a_falling_particle(void **state)
+TEST(the_default_is_a_falling_particle)
 {
-    (void)state;
     wfBodyProps p = wfDefaultBodyProps();
     assert_ok(wfCheckBodyProps(&p));
     assert_int_equal(p.type, WF_DYNAMIC);
@@ -47,9 +45,8 @@ static void the_default_is_a_falling_particle(void **state)
     assert_true(p.localCentre.x == 0 && p.localCentre.y == 0 && p.userData == 0);
 }
 
-static void bad_properties_are_refused(void **state)
+TEST(bad_properties_are_refused)
 {
-    (void)state;
     wfBodyProps good = wfDefaultBodyProps(), p = good;
     assert_result(WF_ERROR_NULL, wfCheckBodyProps(NULL));
     wfReal *number[] = { &p.mass, &p.inertia, &p.linearDamping, &p.angularDamping, &p.gravityScale, &p.givenMass,
@@ -75,9 +72,8 @@ static void bad_properties_are_refused(void **state)
     PROPS(WF_OK, p.linearDamping = 100; p.angularDamping = 100);
 }
 
-static void masses_set_their_inverses(void **state)
+TEST(masses_set_their_inverses)
 {
-    (void)state;
     wfBodyProps p;
     wfBodyState s = body(4, WF_R(0.5), &p);
     assert_true(p.mass == 4 && p.inertia == WF_R(0.5) && s.invMass == WF_R(0.25) && s.invInertia == 2);
@@ -103,9 +99,8 @@ static void masses_set_their_inverses(void **state)
     assert_true(s.invMass > 0 && s.invInertia > 0);
 }
 
-static void the_type_decides_what_moves(void **state)
+TEST(the_type_decides_what_moves)
 {
-    (void)state;
     wfBodyProps p;
     wfBodyState s = body(2, 4, &p);
     s.v = wfV2(1, 2);
@@ -142,9 +137,8 @@ static void the_type_decides_what_moves(void **state)
     assert_true(s.invMass == 1 / WF_MIN_MASS && s.invInertia == 1 / WF_MIN_INERTIA);
 }
 
-static void a_state_that_is_not_finite_is_seen(void **state)
+TEST(a_state_that_is_not_finite_is_seen)
 {
-    (void)state;
     wfBodyState s = { .p = { { 1, 2 } }, .angle = 3, .v = { { 4, 5 } }, .w = 6, .invMass = 7, .invInertia = 8 };
     assert_true(wfBodyIsFinite(&s));
     wfReal *number[] = { &s.p.x, &s.p.y, &s.angle, &s.v.x, &s.v.y, &s.w, &s.invMass, &s.invInertia };
@@ -168,9 +162,8 @@ static void point_after(const wfBodyState *s, wfVec2 local, double t, double *x,
 /* The velocity of a point is the derivative of its place. The central difference over +-h is off by h^2 w^3 r/6
    <= 1e-8 * 64 * 3/6 = 3.2e-7 for h = 1e-4; the engine rounds a place of up to 8 m (3 roundings), times w <= 4, and sums up to
    16 m/s. */
-static void the_velocity_of_a_point_is_its_derivative(void **state)
+TEST(the_velocity_of_a_point_is_its_derivative)
 {
-    (void)state;
     wfRandom r = random_stream(90);
     for (int k = 0; k < 1000; k++) {
         wfBodyState s = random_body(&r, 2, 3);
@@ -191,9 +184,8 @@ static void the_velocity_of_a_point_is_its_derivative(void **state)
     assert_near2(wfVelocityAt(&s, s.p), s.v, 0);
 }
 
-static void wrapping_takes_off_whole_turns(void **state)
+TEST(wrapping_takes_off_whole_turns)
 {
-    (void)state;
     wfRandom r = random_stream(91);
     for (int k = 0; k < 1000; k++) {
         wfBodyState s = { .angle = wfRandomReal(&r, -1000, 1000), .w = 5 };
@@ -206,9 +198,8 @@ static void wrapping_takes_off_whole_turns(void **state)
 }
 
 /* exp(-c h) once, or n times exp(-c h/n): n more roundings of the factor, of c h/n and of the product, each half an eps. */
-static void damping_does_not_depend_on_the_step(void **state)
+TEST(damping_does_not_depend_on_the_step)
 {
-    (void)state;
     static const int parts[] = { 1, 2, 3, 10, 100 };
     for (int i = 0; i < 5; i++) {
         int n = parts[i];
@@ -233,9 +224,8 @@ static void damping_does_not_depend_on_the_step(void **state)
 }
 
 /* ---- pushes -------------------------------------------------------------------------------------------------------- */
-static void a_force_off_the_centre_turns(void **state)
+TEST(a_force_off_the_centre_turns)
 {
-    (void)state;
     wfBodyState s = { .p = { { 10, 20 } } };
     wfBodyForces f = { .torque = 0 };
     wfApplyForce(&f, &s, wfV2(0, 5), wfV2(12, 20));                       /* up, 2 m to the right: counter-clockwise   */
@@ -261,9 +251,8 @@ static void a_force_off_the_centre_turns(void **state)
 
 /* TC01: the same force on M and 2M (and 4M, 8M): powers of two divide exactly, so the ratio is exact. Every force of the
    report's "varying forces", and other multiples within rounding. A force during h is the impulse F h. */
-static void tc01_twice_the_mass_half_the_acceleration(void **state)
+TEST(tc01_twice_the_mass_half_the_acceleration)
 {
-    (void)state;
     wfRandom r = random_stream(93);
     wfReal h = WF_R(1.0) / 64;
     for (int k = 0; k < 200; k++) {
@@ -287,9 +276,8 @@ static void tc01_twice_the_mass_half_the_acceleration(void **state)
 
 /* TC02: the same body, the same force, further and further from the centre of mass: the centre moves alike, the spin grows in
    proportion to the distance, its sign is the side's; through the centre there is none at all. */
-static void tc02_the_further_out_the_more_it_turns(void **state)
+TEST(tc02_the_further_out_the_more_it_turns)
 {
-    (void)state;
     wfShape shape;
     wfMassData data;
     wfBodyProps p;
@@ -314,9 +302,8 @@ static void tc02_the_further_out_the_more_it_turns(void **state)
 
 /* Impulse and state before and after: momentum grows by the impulse, angular momentum about any point q by (point - q) x J, and
    energy by J times the mean of the point's velocity before and after. No formula of the engine is used to get these. */
-static void an_impulse_gives_what_it_should(void **state)
+TEST(an_impulse_gives_what_it_should)
 {
-    (void)state;
     wfRandom r = random_stream(94);
     for (int k = 0; k < 1000; k++) {
         wfReal mass = wfRandomReal(&r, WF_R(0.5), 4), inertia = wfRandomReal(&r, WF_R(0.5), 4);
@@ -336,9 +323,8 @@ static void an_impulse_gives_what_it_should(void **state)
     }
 }
 
-static void equal_and_opposite_impulses_conserve(void **state)
+TEST(equal_and_opposite_impulses_conserve)
 {
-    (void)state;
     wfRandom r = random_stream(95);
     for (int k = 0; k < 500; k++) {
         wfBodyState a = random_body(&r, 2, 1), b = random_body(&r, 3, 4);
@@ -356,9 +342,8 @@ static void equal_and_opposite_impulses_conserve(void **state)
 /* A body of six point masses, welded: every sum is taken mass by mass, with each point's own velocity from differences of its
    place, and compared with the three formulas. 3.2e-7 is the error of the differences (see above), here times masses of up to 3,
    speeds of up to 20 and arms of up to 20. */
-static void energy_and_momenta_are_sums_over_points(void **state)
+TEST(energy_and_momenta_are_sums_over_points)
 {
-    (void)state;
     wfRandom r = random_stream(96);
     for (int k = 0; k < 300; k++) {
         double m[6], x[6], y[6], total = 0, cx = 0, cy = 0, inertia = 0;
@@ -394,9 +379,8 @@ static void energy_and_momenta_are_sums_over_points(void **state)
     }
 }
 
-static void a_body_that_cannot_turn_counts_no_spin(void **state)
+TEST(a_body_that_cannot_turn_counts_no_spin)
 {
-    (void)state;
     wfBodyProps p;
     wfBodyState s = body(2, 0, &p);
     s.v = wfV2(3, 4);
@@ -406,27 +390,4 @@ static void a_body_that_cannot_turn_counts_no_spin(void **state)
     assert_true(wfAngularMomentum(&s, wfV2(-1, 0)) == 8);                 /* arm (1, 0) x momentum (6, 8)              */
     wfApplyImpulse(&s, wfV2(2, 0), wfV2(0, 5));
     assert_true(s.v.x == 4 && s.w == 100);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_hot_state_is_half_a_cache_line),
-        cmocka_unit_test(the_default_is_a_falling_particle),
-        cmocka_unit_test(bad_properties_are_refused),
-        cmocka_unit_test(masses_set_their_inverses),
-        cmocka_unit_test(the_type_decides_what_moves),
-        cmocka_unit_test(a_state_that_is_not_finite_is_seen),
-        cmocka_unit_test(the_velocity_of_a_point_is_its_derivative),
-        cmocka_unit_test(wrapping_takes_off_whole_turns),
-        cmocka_unit_test(damping_does_not_depend_on_the_step),
-        cmocka_unit_test(a_force_off_the_centre_turns),
-        cmocka_unit_test(tc01_twice_the_mass_half_the_acceleration),
-        cmocka_unit_test(tc02_the_further_out_the_more_it_turns),
-        cmocka_unit_test(an_impulse_gives_what_it_should),
-        cmocka_unit_test(equal_and_opposite_impulses_conserve),
-        cmocka_unit_test(energy_and_momenta_are_sums_over_points),
-        cmocka_unit_test(a_body_that_cannot_turn_counts_no_spin),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

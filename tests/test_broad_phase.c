@@ -21,9 +21,8 @@ static void assert_all_rows(void)
     }
 }
 
-static void test_names(void **state)
+TEST(test_names)
 {
-    (void)state;
     assert_true(wfBroadPhaseCount >= 6);
     for (int i = 0; i < wfBroadPhaseCount; i++) {
         assert_int_equal(wfFindBroadPhase(wfBroadPhaseTable[i].name), i);
@@ -37,9 +36,8 @@ static void test_names(void **state)
     assert_int_equal(wfFindBroadPhase(NULL), -1);
 }
 
-static void test_by_hand(void **state)
+TEST(test_by_hand)
 {
-    (void)state;
     start_world();
     put(rect(0, 0, 2, 2), MOVING);
     put(rect(1, 1, 3, 3), MOVING);      /* overlaps 0 */
@@ -57,9 +55,8 @@ static void test_by_hand(void **state)
     }
 }
 
-static void test_small_worlds(void **state)
+TEST(test_small_worlds)
 {
-    (void)state;
     start_world();
     assert_all_rows();                          /* nobody */
     put(rect(1, 2, 3, 4), MOVING);
@@ -85,9 +82,8 @@ static void test_small_worlds(void **state)
     assert_true(wfQuadTreeRect(&tree, 0).max.y == 90);
 }
 
-static void test_random_worlds(void **state)
+TEST(test_random_worlds)
 {
-    (void)state;
     wfRandom r = random_stream(11);
     for (int i = 0; i < 10000; i++) {
         random_world(&r);
@@ -95,9 +91,8 @@ static void test_random_worlds(void **state)
     }
 }
 
-static void test_large_world(void **state)
+TEST(test_large_world)
 {
-    (void)state;
     wfRandom r = random_stream(12);
     start_world();
     for (int i = 0; i < MAX_PROXIES; i++) {
@@ -109,9 +104,8 @@ static void test_large_world(void **state)
 }
 
 /* 3.4e38 is near the end of the floats: the middle of such a world must not overflow. */
-static void test_huge_world(void **state)
+TEST(test_huge_world)
 {
-    (void)state;
     start_world();
     put(rect(-3e38, -3e38, 3e38, 3e38), STILL);
     for (int i = 0; i < 20; i++) put(rect(3e38 / (i + 1), -2e38, 3e38, 1e38), MOVING);
@@ -127,9 +121,8 @@ static int64_t tests_of(const char *name)
     return list.tests;
 }
 
-static void test_counts_tests(void **state)
+TEST(test_counts_tests)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 64; i++) put(rect(3 * (i % 8), 3 * (i / 8), 3 * (i % 8) + 1, 3 * (i / 8) + 1), MOVING);
     wfPool pool = pool_of(sizeof memory - MARGIN);
@@ -150,9 +143,8 @@ static void test_counts_tests(void **state)
     assert_int_equal(list.tests, 64 * 63 / 2 - 1);
 }
 
-static void test_full(void **state)
+TEST(test_full)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 40; i++) put(rect(i, 0, i + 2, 1), MOVING);     /* each touches the next two */
     int n = oracle(wanted);
@@ -168,9 +160,8 @@ static void test_full(void **state)
     }
 }
 
-static void test_no_memory(void **state)
+TEST(test_no_memory)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 40; i++) put(rect(i, 0, i + 2, 1), i % 9 ? MOVING : STILL);
     int n = oracle(wanted);
@@ -189,9 +180,8 @@ static void test_no_memory(void **state)
     }
 }
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfPool pool = pool_of(sizeof memory - MARGIN);
     wfPairList list = list_of(10);
     start_world();
@@ -239,9 +229,8 @@ static void test_bad_input(void **state)
     }
 }
 
-static void test_sorting(void **state)
+TEST(test_sorting)
 {
-    (void)state;
     wfRandom r = random_stream(13);
     for (int round = 0; round < 300; round++) {
         int32_t proxies = 2 + (int32_t)wfRandomBelow(&r, 12);
@@ -337,9 +326,8 @@ static void assert_smallest(const wfQuadTree *tree, int32_t proxy)
 }
 
 /* TC06 of the report: objects in the top left of the world are in the top left node, and so on. */
-static void test_tc06_nodes(void **state)
+TEST(test_tc06_nodes)
 {
-    (void)state;
     wfPool pool;
     wfQuadTree tree = make_tree(&pool, rect(-8, -8, 8, 8), 8, 64, 2, 0);
     int32_t sectors[WF_QUAD_MAX_DEPTH];
@@ -365,9 +353,8 @@ static void test_tc06_nodes(void **state)
     assert_int_equal(tree.nodes[0].sector, WF_QUAD_ROOT);
 }
 
-static void test_sectors(void **state)
+TEST(test_sectors)
 {
-    (void)state;
     wfVec2 c = wfV2(1, 2);
     assert_int_equal(wfQuadSector(c, rect(-1, 0, 0, 1)), WF_BOTTOM_LEFT);
     assert_int_equal(wfQuadSector(c, rect(2, 0, 3, 1)), WF_BOTTOM_RIGHT);
@@ -381,9 +368,8 @@ static void test_sectors(void **state)
 }
 
 /* Which quarters a box reaches into: told by hand for a tree with all four. */
-static void test_reach(void **state)
+TEST(test_reach)
 {
-    (void)state;
     wfPool pool;
     wfQuadTree tree = make_tree(&pool, rect(-8, -4, 8, 4), 8, 16, 1, 0);
     for (int i = 0; i < 4; i++) {
@@ -416,9 +402,8 @@ static void test_reach(void **state)
     assert_true(wfQuadTreePath(&wide, wfQuadTreeNodeOf(&wide, 1), sectors) > 2);
 }
 
-static void test_insert_remove_move(void **state)
+TEST(test_insert_remove_move)
 {
-    (void)state;
     wfRandom r = random_stream(14);
     for (int round = 0; round < 60; round++) {
         static uint8_t in[64];
@@ -450,9 +435,8 @@ static void test_insert_remove_move(void **state)
 }
 
 /* A tree that has run out of nodes is slower, not wrong; nodes that were given back are used again. */
-static void test_few_nodes(void **state)
+TEST(test_few_nodes)
 {
-    (void)state;
     wfRandom r = random_stream(15);
     for (int32_t nodes = 1; nodes < 12; nodes++) {
         random_world(&r);
@@ -479,9 +463,8 @@ static void test_few_nodes(void **state)
 }
 
 /* Scratch sizes never go down, and do not overflow where an int32_t does. */
-static void test_scratch_sizes(void **state)
+TEST(test_scratch_sizes)
 {
-    (void)state;
     for (int row = 0; row < wfBroadPhaseCount; row++) {
         size_t last = 0;
         for (int32_t n = 1; n <= (sizeof(size_t) > 4 ? 1 << 29 : 1 << 20); n *= 2) {
@@ -499,9 +482,8 @@ static void test_scratch_sizes(void **state)
 }
 
 /* A world that lives: boxes move, come and go, and each call of a row knows nothing of the one before. */
-static void test_living_world(void **state)
+TEST(test_living_world)
 {
-    (void)state;
     wfRandom r = random_stream(21);
     start_world();
     for (int i = 0; i < 60; i++) put(rect(i % 8, i / 8, i % 8 + 1.2, i / 8 + 1.2), i % 6 ? MOVING : STILL);
@@ -518,9 +500,8 @@ static void test_living_world(void **state)
 }
 
 /* Two that stand still are not even tested: neither alone nor beside somebody who moves elsewhere. */
-static void test_still_ones(void **state)
+TEST(test_still_ones)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 300; i++) put(rect(i % 20, i / 20, i % 20 + 2, i / 20 + 2), STILL);
     put(rect(0, 0, 300, 1), STILL);
@@ -539,9 +520,8 @@ static void test_still_ones(void **state)
 }
 
 /* Boxes that cover too many cells meet everybody once; two of them meet each other once. */
-static void test_large_boxes(void **state)
+TEST(test_large_boxes)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 30; i++) put(rect(10 * i, 0, 10 * i + 1, 1), MOVING);
     int32_t a = put(rect(0, 3, 300, 4), MOVING);
@@ -568,9 +548,8 @@ static void test_large_boxes(void **state)
 }
 
 /* More cells than there is room for: who comes too late is compared with everybody, and no pair is lost. */
-static void test_too_many_cells(void **state)
+TEST(test_too_many_cells)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 100; i++) {
         double w = i % 2 ? 1 : 6;                       /* median 1 or 6: cells of 2 or 12 */
@@ -585,9 +564,8 @@ static void test_too_many_cells(void **state)
     assert_int_equal(tests_of("spatial-hash"), 13);
 }
 
-static void test_sort_and_select(void **state)
+TEST(test_sort_and_select)
 {
-    (void)state;
     wfRandom r = random_stream(17);
     wfKeyed items[70], spare[70], sorted[70];
     for (int round = 0; round < 2000; round++) {
@@ -624,9 +602,8 @@ static void test_sort_and_select(void **state)
 
 /* What is sorted already, either way, or all alike, costs no more than what is not: parts that shrink by one at each step
    would make 10^11 comparisons of these, and nobody would wait for that. */
-static void test_select_in_order(void **state)
+TEST(test_select_in_order)
 {
-    (void)state;
     enum { MANY = 1000000 };
     static wfKeyed items[MANY];
     for (int shape = 0; shape < 3; shape++)
@@ -646,9 +623,8 @@ static void assert_cells(const wfCells *cells, wfRect r, int32_t x0, int32_t y0,
     assert_int_equal(c.y1, y1);
 }
 
-static void test_cells(void **state)
+TEST(test_cells)
 {
-    (void)state;
     int32_t far = 1 << 30;
     wfCells grid = wfGridCells(rect(-4, 2, 8, 10), 2, 100);     /* 6 by 4 cells, and one more for the far border */
     assert_true(grid.side == 2);
@@ -669,9 +645,8 @@ static void test_cells(void **state)
 }
 
 /* eq:broad-home rests on this: what is farther to the right is never in a column farther to the left. */
-static void test_cells_are_monotone(void **state)
+TEST(test_cells_are_monotone)
 {
-    (void)state;
     wfRandom r = random_stream(18);
     for (int i = 0; i < 20000; i++) {
         wfVec2 p = wfV2(random_wide(&r, 60), random_wide(&r, 60)), q = wfV2(random_wide(&r, 60), random_wide(&r, 60));
@@ -691,9 +666,8 @@ static void test_cells_are_monotone(void **state)
 
 /* The scrambled cells of a filled square fall into the blocks about as balls thrown at random would: of 4096 balls in
    4096 blocks 4096 (1 - 1/e) = 2589 blocks are hit, with a spread of some 32. Ten of these are allowed. */
-static void test_hash_spreads(void **state)
+TEST(test_hash_spreads)
 {
-    (void)state;
     static uint8_t hit[4096];
     for (int shape = 0; shape < 4; shape++) {
         int w = 64 << shape, blocks = 0;
@@ -716,9 +690,8 @@ static void test_hash_spreads(void **state)
 }
 
 /* Two cells of one box in one block: the box stands in it twice, its pairs must not. */
-static void test_hash_collides(void **state)
+TEST(test_hash_collides)
 {
-    (void)state;
     int seen = 0;
     for (int32_t y = 0; y < 400; y++) {
         uint32_t one = wfHashCell(5, y) & 15, two = wfHashCell(6, y) & 15;
@@ -732,9 +705,8 @@ static void test_hash_collides(void **state)
     assert_true(seen > 5);
 }
 
-static void test_sweep_axes(void **state)
+TEST(test_sweep_axes)
 {
-    (void)state;
     wfRandom r = random_stream(19);
     for (int round = 0; round < 1000; round++) {
         random_world(&r);
@@ -789,9 +761,8 @@ static int box_depth(const wfBoxTree *t, int32_t n, int32_t *leaves)
     return 1 + (a > b ? a : b);
 }
 
-static void test_box_tree(void **state)
+TEST(test_box_tree)
 {
-    (void)state;
     wfRandom r = random_stream(20);
     static wfBoxNode nodes[MAX_PROXIES + 1];
     static wfKeyed items[MAX_PROXIES];
@@ -813,9 +784,8 @@ static void test_box_tree(void **state)
     }
 }
 
-static void test_list_live(void **state)
+TEST(test_list_live)
 {
-    (void)state;
     start_world();
     static const int flags[] = { STILL, MOVING, 0, WF_PROXY_MOVES, MOVING, STILL };
     for (int i = 0; i < 6; i++) put(rect(0, 0, 1, 1), flags[i]);
@@ -826,9 +796,8 @@ static void test_list_live(void **state)
 }
 
 /* The report's rule, pairs within one node only, and the pair that it loses. */
-static void test_report_rule_misses(void **state)
+TEST(test_report_rule_misses)
 {
-    (void)state;
     wfPool pool;
     wfQuadTree tree = make_tree(&pool, rect(-8, -8, 8, 8), 4, 64, 4, 0);
     assert_ok(wfQuadTreeInsert(&tree, 0, rect(-1, 2, 1, 4)));           /* lies on the middle line: in the root */
@@ -847,9 +816,8 @@ static void test_report_rule_misses(void **state)
 
 /* The same for random trees: the report's pairs are some of the pairs, the two cures agree, and descending never
    tests more boxes than climbing. */
-static void test_reaches_agree(void **state)
+TEST(test_reaches_agree)
 {
-    (void)state;
     wfRandom r = random_stream(16);
     static _Alignas(16) uint8_t more[1 << 18];
     wfPool rest;
@@ -890,9 +858,8 @@ static void test_reaches_agree(void **state)
 }
 
 /* What lies beside the arrays must not be read: neither rubbish that looks like a node nor one that looks like none. */
-static void test_bad_proxies(void **state)
+TEST(test_bad_proxies)
 {
-    (void)state;
     for (int fill = 0; fill < 2; fill++) {
         wfPool pool = pool_of(sizeof memory - MARGIN);
         memset(memory, fill ? 0xFF : 0, sizeof memory);
@@ -910,9 +877,8 @@ static void test_bad_proxies(void **state)
     }
 }
 
-static void test_bad_trees(void **state)
+TEST(test_bad_trees)
 {
-    (void)state;
     wfPool pool = pool_of(sizeof memory - MARGIN);
     wfQuadTree tree = { 0 };
     wfQuadTreeDef good = { rect(-1, -1, 1, 1), 4, 8, 3, 0 }, bad;
@@ -961,22 +927,4 @@ static void test_bad_trees(void **state)
     assert_int_equal(tree.count, 1);
     assert_false(wfQuadTreeUses(&tree, -1));
     assert_false(wfQuadTreeUses(&tree, tree.nodeHigh));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_names), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_small_worlds),
-        cmocka_unit_test(test_random_worlds), cmocka_unit_test(test_large_world), cmocka_unit_test(test_huge_world),
-        cmocka_unit_test(test_counts_tests), cmocka_unit_test(test_full), cmocka_unit_test(test_no_memory),
-        cmocka_unit_test(test_bad_input), cmocka_unit_test(test_sorting), cmocka_unit_test(test_tc06_nodes),
-        cmocka_unit_test(test_sectors), cmocka_unit_test(test_reach), cmocka_unit_test(test_insert_remove_move), cmocka_unit_test(test_few_nodes),
-        cmocka_unit_test(test_report_rule_misses), cmocka_unit_test(test_reaches_agree),
-        cmocka_unit_test(test_scratch_sizes), cmocka_unit_test(test_living_world), cmocka_unit_test(test_still_ones), cmocka_unit_test(test_large_boxes), cmocka_unit_test(test_too_many_cells),
-        cmocka_unit_test(test_sort_and_select), cmocka_unit_test(test_select_in_order), cmocka_unit_test(test_cells), cmocka_unit_test(test_cells_are_monotone),
-        cmocka_unit_test(test_hash_spreads), cmocka_unit_test(test_hash_collides), cmocka_unit_test(test_sweep_axes),
-        cmocka_unit_test(test_box_tree), cmocka_unit_test(test_list_live),
-        cmocka_unit_test(test_bad_proxies), cmocka_unit_test(test_bad_trees),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

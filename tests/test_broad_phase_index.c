@@ -14,9 +14,8 @@ static const char *row_name(int row) { return wfBroadPhaseTable[row].name; }
 
 /* ---- filters ---- */
 
-static void test_filter_rule(void **state)
+TEST(test_filter_rule)
 {
-    (void)state;
     wfFilter d = wfDefaultFilter();
     assert_true(d.category == 1 && d.mask == UINT64_MAX && d.group == 0);
     assert_true(wfFilterAllows(d, d));
@@ -49,9 +48,8 @@ static bool odd_sums(const void *context, int32_t a, int32_t b)
     return (a + b) & 1;
 }
 
-static void test_pair_wanted(void **state)
+TEST(test_pair_wanted)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 4; i++) put(rect(0, 0, 1, 1), i == 3 ? STILL : MOVING);
     put(rect(0, 0, 1, 1), STILL);
@@ -105,9 +103,8 @@ static int64_t tests_of(int row, int *pairs)
 }
 
 /* Each refusal saves exactly one box test, and every pair that was tested had been asked about first. */
-static void test_filters_come_before_tests(void **state)
+TEST(test_filters_come_before_tests)
 {
-    (void)state;
     wfRandom r = random_stream(31);
     for (int round = 0; round < 400; round++) {
         random_world(&r);
@@ -131,9 +128,8 @@ static void test_filters_come_before_tests(void **state)
     }
 }
 
-static void test_filters_by_hand(void **state)
+TEST(test_filters_by_hand)
 {
-    (void)state;
     for (int row = 0; row < wfBroadPhaseCount; row++) {
         start_world();
         for (int i = 0; i < 3; i++) put(rect(0, 0, 1, 1), MOVING);
@@ -356,9 +352,8 @@ static void live_on(wfRandom *r, int kind)
 static size_t index_bytes(int row) { return wfIndexSize(row, world.in.count); }
 
 /* Every row keeps an index through the life of a world; after each step its bytes are moved elsewhere, as a saved world's. */
-static void test_living_worlds(void **state)
+TEST(test_living_worlds)
 {
-    (void)state;
     wfRandom r = random_stream(32);
     static _Alignas(16) uint8_t kept[16][1 << 15];
     size_t room[16];
@@ -397,9 +392,8 @@ static void test_living_worlds(void **state)
 }
 
 /* A step works on a copy and copies it back. What was not copied is poison: whoever reads it finds other pairs, or crashes. */
-static void test_copies_of_indices(void **state)
+TEST(test_copies_of_indices)
 {
-    (void)state;
     wfRandom r = random_stream(33);
     static _Alignas(16) uint8_t kept[1 << 15];
     for (int round = 0; round < 3000; round++) {
@@ -425,9 +419,8 @@ static void test_copies_of_indices(void **state)
 }
 
 /* Larger worlds, in which a walk through cells and trees is long: rays of all directions against everybody. */
-static void test_many_rays(void **state)
+TEST(test_many_rays)
 {
-    (void)state;
     wfRandom r = random_stream(33);
     for (int round = 0; round < 6; round++) {
         start_world();
@@ -458,9 +451,8 @@ static void test_many_rays(void **state)
 }
 
 /* Rays along borders of boxes and cells, through corners, and from inside. */
-static void test_rays_on_a_lattice(void **state)
+TEST(test_rays_on_a_lattice)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 100; i++) put(rect(2 * (i % 10), 2 * (i / 10), 2 * (i % 10) + 1, 2 * (i / 10) + 1), MOVING);
     for (int row = 0; row < wfBroadPhaseCount; row++) {
@@ -497,9 +489,8 @@ static wfReal visit_in_order(void *context, int32_t proxy, wfReal most)
 
 /* Boxes in a line are shown from near to far, whichever way the cast goes, and one that was shortened sees no more than the
    neighbours of the first: work is saved, not only told right. */
-static void test_near_before_far(void **state)
+TEST(test_near_before_far)
 {
-    (void)state;
     for (int k = 0; k < 9; k++) {
         int shape = k % 3;
         double unit = k < 3 ? 1 : k < 6 ? 0x1p-12 : 0x1p12;             /* no unit knob */
@@ -530,9 +521,8 @@ static void test_near_before_far(void **state)
     }
 }
 
-static void test_cast_predicate(void **state)
+TEST(test_cast_predicate)
 {
-    (void)state;
     wfReal t;
     wfBoxCast c = { wfV2(0, 0), wfV2(10, 0), wfV2(1, 1), 1 };
     assert_true(wfCastMeets(&c, rect(6, -1, 7, 1), &t));
@@ -573,9 +563,8 @@ static void fill_some(void)
     for (int i = 0; i < 40; i++) put(rect(i, 0, i + 2, 1), i % 9 ? MOVING : STILL);
 }
 
-static void test_update_errors(void **state)
+TEST(test_update_errors)
 {
-    (void)state;
     for (int row = 0; row < wfBroadPhaseCount; row++) {
         fill_some();
         size_t bytes = index_bytes(row);
@@ -636,9 +625,8 @@ static void test_update_errors(void **state)
     }
 }
 
-static void test_question_errors(void **state)
+TEST(test_question_errors)
 {
-    (void)state;
     fill_some();
     int n = oracle(wanted);
     for (int row = 0; row < wfBroadPhaseCount; row++) {
@@ -704,9 +692,8 @@ static void test_question_errors(void **state)
 }
 
 /* An index of another method, of another number of proxies, or of nobody yet is not trusted: everybody is looked at. */
-static void test_strange_indices(void **state)
+TEST(test_strange_indices)
 {
-    (void)state;
     fill_some();
     int n = oracle(wanted);
     memset(index_a, 0, sizeof index_a);
@@ -791,9 +778,8 @@ static void assert_tree(const wfTree *tree)
     else assert_int_equal(tree->nodes[h->root].leaves, in);
 }
 
-static void test_tree_changes(void **state)
+TEST(test_tree_changes)
 {
-    (void)state;
     wfRandom r = random_stream(41);
     for (int round = 0; round < 40; round++) {
         bool in[40] = { false };
@@ -827,9 +813,8 @@ static void test_tree_changes(void **state)
     }
 }
 
-static void test_tree_refuses(void **state)
+TEST(test_tree_refuses)
 {
-    (void)state;
     wfTree tree;
     size_t bytes = wfTreeSize(8);
     assert_result(WF_ERROR_NULL, wfTreeInit(NULL, index_a, bytes, 8));
@@ -871,9 +856,8 @@ static void test_tree_refuses(void **state)
 }
 
 /* Crates that come in from left to right would make a ladder; rotations keep it low: at most twice the least depth. */
-static void test_tree_stays_low(void **state)
+TEST(test_tree_stays_low)
 {
-    (void)state;
     for (int shape = 0; shape < 5; shape++) {
         wfTree tree = make_tree(MAX_PROXIES);
         for (int32_t i = 0; i < MAX_PROXIES; i++) {
@@ -892,9 +876,8 @@ static void test_tree_stays_low(void **state)
 }
 
 /* Where a box goes, by eq:broad-descend-rule, and what a rotation does: trees small enough to be told by hand. */
-static void test_tree_by_hand(void **state)
+TEST(test_tree_by_hand)
 {
-    (void)state;
     wfTree t = make_tree(8);
     assert_int_equal(wfTreeDepth(&t), 0);
     assert_ok(wfTreeInsert(&t, 0, rect(0, 0, 1, 1), true));
@@ -938,9 +921,8 @@ static void assert_fat(wfRect r, wfVec2 way, double ratio)
     assert_near(fat.max.y, (double)r.max.y + w / 64 + fmax(y, 0), tiny);
 }
 
-static void test_fat_boxes(void **state)
+TEST(test_fat_boxes)
 {
-    (void)state;
     wfRandom r = random_stream(42);
     assert_fat(rect(0, 0, 2, 1), wfV2(0, 0), 4);
     assert_fat(rect(0, 0, 1, 4), wfV2(WF_R(0.25), 0), 4);       /* f = sqrt(4 x 0.25 x 4) = 2 */
@@ -980,9 +962,8 @@ static int64_t update_changes(size_t bytes)
 }
 
 /* How often a box is put in again: not while it is within its margin, and then with a margin for its speed. */
-static void test_tree_is_left_alone(void **state)
+TEST(test_tree_is_left_alone)
 {
-    (void)state;
     int row = wfFindBroadPhase("dynamic-tree");
     start_world();
     for (int i = 0; i < 10; i++) put(rect(4 * i, 0, 4 * i + 1, 1), MOVING);
@@ -1032,9 +1013,8 @@ static void test_tree_is_left_alone(void **state)
 }
 
 /* Two worlds with the same boxes and different pasts: other trees, the same pairs, the same answers. */
-static void test_the_past_is_not_seen(void **state)
+TEST(test_the_past_is_not_seen)
 {
-    (void)state;
     wfRandom r = random_stream(43);
     int row = wfFindBroadPhase("dynamic-tree");
     for (int round = 0; round < 60; round++) {
@@ -1065,9 +1045,8 @@ static void test_the_past_is_not_seen(void **state)
 }
 
 /* Work, counted by hand. */
-static void test_tree_counts(void **state)
+TEST(test_tree_counts)
 {
-    (void)state;
     int row = wfFindBroadPhase("dynamic-tree"), pairs;
     start_world();
     for (int i = 0; i < 64; i++) put(rect(3 * (i % 8), 3 * (i / 8), 3 * (i % 8) + 1, 3 * (i / 8) + 1), MOVING);
@@ -1101,9 +1080,8 @@ static void assert_near_pairs(const wfTree *tree)
 
 /* Three hundred boxes, of which some share moves far, comes, goes, or changes its kind in each step: the list is begun,
    mended and dropped, and the pairs are right all the time. */
-static void test_near_pairs(void **state)
+TEST(test_near_pairs)
 {
-    (void)state;
     int row = wfFindBroadPhase("dynamic-tree"), had = 0, mended = 0, lacked = 0;
     wfRandom r = random_stream(77);
     start_world();
@@ -1143,9 +1121,8 @@ static void test_near_pairs(void **state)
 }
 
 /* More near pairs than there is room for, or no scratch: no list, the same pairs. */
-static void test_near_pairs_without_room(void **state)
+TEST(test_near_pairs_without_room)
 {
-    (void)state;
     int row = wfFindBroadPhase("dynamic-tree");
     for (int crowd = 0; crowd < 2; crowd++) {
         start_world();
@@ -1281,9 +1258,8 @@ static void assert_shown(int row, double slack)
 }
 
 /* Each row shows boxes that cover everybody, nested, of the right sizes; in crowds, towers, with an outlier, with large ones. */
-static void test_boxes_of_indices(void **state)
+TEST(test_boxes_of_indices)
 {
-    (void)state;
     wfRandom r = random_stream(39);
     for (int round = 0; round < 5; round++) {
         for (int row = 0; row < wfBroadPhaseCount; row++) {
@@ -1313,9 +1289,8 @@ static void test_boxes_of_indices(void **state)
     }
 }
 
-static void test_boxes_errors(void **state)
+TEST(test_boxes_errors)
 {
-    (void)state;
     start_world();
     for (int i = 0; i < 40; i++) put(rect(i, i, i + 0.5, i + 0.5), MOVING);
     for (int row = 0; row < wfBroadPhaseCount; row++) {
@@ -1339,20 +1314,4 @@ static void test_boxes_errors(void **state)
     }
     assert_int_equal(wfIndexBoxes(-1, &world.in, index_a, note_box, &shown), WF_ERROR_UNKNOWN);
     assert_int_equal(wfIndexBoxes(wfBroadPhaseCount, &world.in, index_a, note_box, &shown), WF_ERROR_UNKNOWN);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_filter_rule), cmocka_unit_test(test_pair_wanted), cmocka_unit_test(test_filters_come_before_tests),
-        cmocka_unit_test(test_filters_by_hand), cmocka_unit_test(test_cast_predicate), cmocka_unit_test(test_living_worlds),
-        cmocka_unit_test(test_copies_of_indices), cmocka_unit_test(test_many_rays), cmocka_unit_test(test_rays_on_a_lattice), cmocka_unit_test(test_near_before_far),
-        cmocka_unit_test(test_update_errors), cmocka_unit_test(test_question_errors), cmocka_unit_test(test_strange_indices),
-        cmocka_unit_test(test_tree_changes), cmocka_unit_test(test_tree_refuses), cmocka_unit_test(test_tree_stays_low),
-        cmocka_unit_test(test_tree_by_hand), cmocka_unit_test(test_fat_boxes), cmocka_unit_test(test_tree_is_left_alone),
-        cmocka_unit_test(test_near_pairs), cmocka_unit_test(test_near_pairs_without_room),
-        cmocka_unit_test(test_the_past_is_not_seen), cmocka_unit_test(test_tree_counts),
-        cmocka_unit_test(test_boxes_of_indices), cmocka_unit_test(test_boxes_errors),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

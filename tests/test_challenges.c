@@ -1,7 +1,6 @@
 /* The challenges of the testbed: each is solved by somebody who knows how, and by nothing else that was thought of. A scripted mouse
  * does what a reader would do: types a number, kicks, places, builds, holds. */
 #include "play.h"
-#include <math.h>
 #include "testbed/challenges.h"
 #include "testbed/game.h"
 
@@ -12,7 +11,7 @@ static const game_state *state_of(const play *p) { return p->memory.permanent; }
 static void open_challenge(play *p, const char *name)
 {
     char script[100];
-    play_begin(p, WIDE, HIGH, 1);
+    *p = play_open(WIDE, HIGH, 1);
     snprintf(script, sizeof script, "scene challenge=%s\nsteps 0\nframe\nframe\n", name);
     play_run(p, script);
     assert_int_equal((int)play_fact(p, "kicks", 0), 0);
@@ -111,9 +110,8 @@ static void warren(play *p, int bars)       /* deck, lower chord, diagonals: 19 
 }
 
 /* ---- nothing solves nothing ---- */
-static void doing_nothing_solves_none(void **unused)
+TEST(doing_nothing_solves_none)
 {
-    (void)unused;
     for (int i = 0; i < wfChallengeCount; i++) {
         play p;
         open_challenge(&p, wfChallengeTable[i].name);
@@ -137,9 +135,8 @@ static void try_number(const char *name, double x, double y, const char *field, 
     play_end(&p);
 }
 
-static void numbers_that_are_right_are_right(void **unused)
+TEST(numbers_that_are_right_are_right)
 {
-    (void)unused;
     try_number("floor", 6, -0.25, "friction", "0.37", WF_DONE);
     try_number("floor", 6, -0.25, "friction", "0.39", WF_LOST);         /* 16 cm */
     try_number("bounce", 0, 4.25, "restitution", "0.707", WF_DONE);     /* e^4 = 1/4 */
@@ -161,9 +158,8 @@ static void one_kick(const char *name, int body, double vx, double vy, int want)
     play_end(&p);
 }
 
-static void kicks_solve_what_they_should(void **unused)
+TEST(kicks_solve_what_they_should)
 {
-    (void)unused;
     one_kick("wall", 4, 6.14, 8.77, WF_DONE);
     one_kick("wall", 4, 7.4, 7.4, WF_LOST);                             /* into the wall */
     one_kick("orbit", 0, 0, 4, WF_DONE);
@@ -182,9 +178,8 @@ static void kicks_solve_what_they_should(void **unused)
     }
 }
 
-static void what_is_built_stands(void **unused)
+TEST(what_is_built_stands)
 {
-    (void)unused;
     play p;
     open_challenge(&p, "tower");
     static const int order[] = { 2, 4, 1, 5 };
@@ -229,9 +224,8 @@ static void refused(play *p, const char *how, int why)
     play_end(p);
 }
 
-static void what_is_not_allowed_does_not_count(void **unused)
+TEST(what_is_not_allowed_does_not_count)
 {
-    (void)unused;
     play p;
     prepare(&p, "bridge");                                              /* no weight before */
     assert_true(game_set(&p.memory, "gravity.y", 0));
@@ -270,9 +264,8 @@ static void what_is_not_allowed_does_not_count(void **unused)
     refused(&p, "no bank", FOUL_CHANGE);
 }
 
-static void the_hand_is_seen(void **unused)
+TEST(the_hand_is_seen)
 {
-    (void)unused;
     play p;
     open_challenge(&p, "bridge");
     steps(&p, 5);
@@ -296,9 +289,8 @@ static void the_hand_is_seen(void **unused)
     refused(&p, "a body more", FOUL_CHANGE);
 }
 
-static void time_is_no_help(void **unused)
+TEST(time_is_no_help)
 {
-    (void)unused;
     play p;
     open_challenge(&p, "wall");                                         /* back, and another kick */
     kick(&p, 4, 7.4, 7.4);
@@ -339,9 +331,8 @@ static void time_is_no_help(void **unused)
     refused(&p, "a world that was loaded", FOUL_TIME);
 }
 
-static void a_try_begins_again(void **unused)
+TEST(a_try_begins_again)
 {
-    (void)unused;
     play p;
     open_challenge(&p, "bridge");
     warren(&p, 5);
@@ -379,11 +370,9 @@ static void a_try_begins_again(void **unused)
     play_end(&p);
 }
 
-static void time_waits_for_the_reader(void **unused)
+TEST(time_waits_for_the_reader)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, WIDE, HIGH, 1);
+    play p = play_open(WIDE, HIGH, 1);
     play_run(&p, "scene challenge=landing\nsteps -1\nseconds 0.02\nwait 20\n");
     assert_int_equal((int)play_fact(&p, "steps", 0), 0);
     assert_int_equal((int)play_fact(&p, "paused", 0), 1);
@@ -403,9 +392,8 @@ static void time_waits_for_the_reader(void **unused)
     play_end(&p);
 }
 
-static void every_row_is_whole(void **unused)
+TEST(every_row_is_whole)
 {
-    (void)unused;
     for (int i = 0; i < wfChallengeCount; i++) {
         const wfChallenge *c = &wfChallengeTable[i];
         char alias[60];
@@ -422,11 +410,9 @@ static void every_row_is_whole(void **unused)
 }
 
 /* ---- what is offered where nothing moves, and the legend on the picture ---- */
-static void a_scene_at_rest_offers_something(void **unused)
+TEST(a_scene_at_rest_offers_something)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, WIDE, HIGH, 1);
+    play p = play_open(WIDE, HIGH, 1);
     play_run(&p, "scene tower\nsteps 1\nwait 200\nsteps 0\nframe\n");
     assert_null(play_line(&p, "widget Throw a ball"));                  /* not yet */
     play_run(&p, "steps 1\nwait 500\nsteps 0\nframe\nframe\n");
@@ -447,7 +433,7 @@ static void a_scene_at_rest_offers_something(void **unused)
     play_click(&p, "Take one out");
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies - 1);
     play_end(&p);
-    play_begin(&p, WIDE, HIGH, 1);                                      /* nothing can move: nothing to offer */
+    p = play_open(WIDE, HIGH, 1);                                      /* nothing can move: nothing to offer */
     play_run(&p, "scene integrators\nsteps 1\nwait 500\nsteps 0\nframe\nframe\n");
     assert_null(play_line(&p, "widget Tilt"));
     play_end(&p);
@@ -455,9 +441,8 @@ static void a_scene_at_rest_offers_something(void **unused)
 
 static int pixels_of_legend(const char *scene, int width)
 {
-    play p;
     char script[100];
-    play_begin(&p, width, HIGH, 1);
+    play p = play_open(width, HIGH, 1);
     snprintf(script, sizeof script, "scene %s\nsteps 1\nwait 2\nsteps 0\nframe\nframe\n", scene);
     play_run(&p, script);
     size_t count = (size_t)width * HIGH;
@@ -472,29 +457,9 @@ static int pixels_of_legend(const char *scene, int width)
     return differ;
 }
 
-static void the_legend_says_what_is_there(void **unused)
+TEST(the_legend_says_what_is_there)
 {
-    (void)unused;
     assert_true(pixels_of_legend("moving-platforms", WIDE) > 200);
     assert_int_equal(pixels_of_legend("free-fall", WIDE), 0);           /* moving and still need no words */
     assert_int_equal(pixels_of_legend("moving-platforms", 390), 0);     /* a telephone has it in the panel */
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(doing_nothing_solves_none),
-        cmocka_unit_test(numbers_that_are_right_are_right),
-        cmocka_unit_test(kicks_solve_what_they_should),
-        cmocka_unit_test(what_is_built_stands),
-        cmocka_unit_test(what_is_not_allowed_does_not_count),
-        cmocka_unit_test(the_hand_is_seen),
-        cmocka_unit_test(time_is_no_help),
-        cmocka_unit_test(a_try_begins_again),
-        cmocka_unit_test(time_waits_for_the_reader),
-        cmocka_unit_test(every_row_is_whole),
-        cmocka_unit_test(a_scene_at_rest_offers_something),
-        cmocka_unit_test(the_legend_says_what_is_there),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

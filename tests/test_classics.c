@@ -36,54 +36,47 @@ static double strayed(wfWorld world, int steps)
 }
 
 /* What the issue asks for, in percent, degrees, mm/s. */
-static void sliding_slipping_creeping_rolling(void **unused)
+TEST(sliding_slipping_creeping_rolling)
 {
-    (void)unused;
     assert_near(with_defaults("slide"), 0, 0.05);
     assert_near(with_defaults("slip"), 0, 0.01);
     assert_near(with_defaults("creep"), 0, 1e-4);         /* 10^-4 mm/s: rounding of places of a metre, a thousandth a second */
     assert_near(with_defaults("roll"), 0, 0.1);
 }
 
-static void a_pendulum_keeps_its_energy_and_its_time(void **unused)
+TEST(a_pendulum_keeps_its_energy_and_its_time)
 {
-    (void)unused;
     assert_near(with_defaults("energy"), 0, 0.5);
     assert_near(with_defaults("period"), 0, 0.1);
 }
 
 /* 1 % of its length; two roundings of each of twenty hinges are far below a tenth of that. */
-static void a_chain_bears_a_thousand_links(void **unused)
+TEST(a_chain_bears_a_thousand_links)
 {
-    (void)unused;
     assert_near(with_defaults("chain"), 0, 0.1);
 }
 
-static void a_cradle_hands_the_speed_on(void **unused)
+TEST(a_cradle_hands_the_speed_on)
 {
-    (void)unused;
     assert_near(with_defaults("cradle"), 0, 100 * 20 * (double)WF_EPSILON);       /* %: a few roundings in each of four collisions */
 }
 
 /* A millionth, where the reals have the digits for it: a float's 10^6 steps round each by 6e-8. */
-static void a_ball_keeps_its_energy(void **unused)
+TEST(a_ball_keeps_its_energy)
 {
-    (void)unused;
     if (sizeof(wfReal) == sizeof(float)) skip();
     assert_near(with_defaults("bounce"), 0, 1e-6);
 }
 
-static void no_bullet_passes(void **unused)
+TEST(no_bullet_passes)
 {
-    (void)unused;
     assert_true(with_defaults("bullet-static") == 0);
     assert_true(with_defaults("bullet-dynamic") == 0);
 }
 
 /* Milankovitch's limit for many stones; and stones that are few can only do better. */
-static void the_theory_of_the_arch(void **unused)
+TEST(the_theory_of_the_arch)
 {
-    (void)unused;
     for (int stones = 20; stones <= 1280; stones *= 4) {
         double low = 0.05, high = 0.2;
         for (int i = 0; i < 30; i++) {
@@ -97,9 +90,8 @@ static void the_theory_of_the_arch(void **unused)
     assert_true(wfArchCanStand(20, 0.5) && !wfArchCanStand(20, 0.01));
 }
 
-static void an_arch_stands_and_a_thinner_one_falls(void **unused)
+TEST(an_arch_stands_and_a_thinner_one_falls)
 {
-    (void)unused;
     wfWorld world = room_for(32);
     assert_ok(wfBuildArch(&world, 20, 0.135));
     assert_near(strayed(world, 600), 0, 0.25);
@@ -110,9 +102,8 @@ static void an_arch_stands_and_a_thinner_one_falls(void **unused)
 
 /* Theory has 0.10735 for twenty stones, a rigid engine some per cent more at most: by the default solver, which solves a loop at once,
    and by the one that takes all contacts at once. */
-static void an_arch_is_as_thin_as_theory_allows(void **unused)
+TEST(an_arch_is_as_thin_as_theory_allows)
 {
-    (void)unused;
     for (int k = 0; k < 4; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         wfWorld world;
@@ -126,9 +117,8 @@ static void an_arch_is_as_thin_as_theory_allows(void **unused)
     }
 }
 
-static void an_overhang_stands_and_a_wider_one_falls(void **unused)
+TEST(an_overhang_stands_and_a_wider_one_falls)
 {
-    (void)unused;
     wfWorld world = room_for(32);
     assert_ok(wfBuildOverhang(&world, 10, WF_R(0.99)));
     assert_near(strayed(world, 1200), 0, 0.1);
@@ -137,9 +127,8 @@ static void an_overhang_stands_and_a_wider_one_falls(void **unused)
     assert_true(strayed(world, 600) > 1);
 }
 
-static void a_card_house_of_five_storeys_stands(void **unused)
+TEST(a_card_house_of_five_storeys_stands)
 {
-    (void)unused;
     for (uint32_t seed = 1; seed <= 3; seed++) {
         wfWorld world = room_for(64);
         assert_ok(wfBuildCardHouse(&world, 5, WF_R(0.001), seed));
@@ -147,9 +136,8 @@ static void a_card_house_of_five_storeys_stands(void **unused)
     }
 }
 
-static void towers_and_loads_stand(void **unused)
+TEST(towers_and_loads_stand)
 {
-    (void)unused;
     wfWorld world = room_for(256);
     assert_ok(wfBuildTower(&world, 100, 1));
     assert_near(strayed(world, 600), 0, 0.5);
@@ -161,9 +149,8 @@ static void towers_and_loads_stand(void **unused)
 }
 
 /* Whatever their speed: in the end none overlaps its neighbour by more than what its weight presses in. */
-static void boxes_born_in_one_place_come_apart(void **unused)
+TEST(boxes_born_in_one_place_come_apart)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;
     int32_t count;
@@ -190,9 +177,8 @@ static wfWorld opened(const char *name, int steps)
     return world;
 }
 
-static void on_the_ramp_two_hold_and_two_slide(void **unused)
+TEST(on_the_ramp_two_hold_and_two_slide)
 {
-    (void)unused;
     wfWorld before = opened("ramp", 0), after = opened("ramp", 60);
     for (int i = 0; i < 4; i++) {
         double way = (double)wfDistance(wfWorldBodies(&before).state[i + 2].p, wfWorldBodies(&after).state[i + 2].p);
@@ -210,9 +196,8 @@ static void on_the_ramp_two_hold_and_two_slide(void **unused)
 }
 
 /* Where each racer is after 2 s, by its own moment of inertia: 0.1 %, as for the rolling disk. */
-static void the_race_is_won_by_the_formula(void **unused)
+TEST(the_race_is_won_by_the_formula)
 {
-    (void)unused;
     wfWorld start = opened("rolling race", 0), race = opened("rolling race", 120);
     double last = 1e9;
     for (int lane = 0; lane < 4; lane++) {
@@ -229,9 +214,8 @@ static void the_race_is_won_by_the_formula(void **unused)
 
 /* The first comes in, the last goes out, those between stay: the share that each has of the energy of motion, as the ball passes the
  * lowest place a second time. */
-static void the_hung_cradle_hands_on(void **unused)
+TEST(the_hung_cradle_hands_on)
 {
-    (void)unused;
     wfWorld world = opened("hung cradle", 70);
     wfBodyView v = wfWorldBodies(&world);
     double out = (double)v.state[9].v.x;
@@ -240,9 +224,8 @@ static void the_hung_cradle_hands_on(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void dominoes_all_fall(void **unused)
+TEST(dominoes_all_fall)
 {
-    (void)unused;
     wfWorld world = opened("dominoes", 600);
     wfBodyView v = wfWorldBodies(&world);
     for (int i = 1; i <= 30; i++) assert_true(v.state[i].angle < WF_R(-0.5));
@@ -251,9 +234,8 @@ static void dominoes_all_fall(void **unused)
 
 /* All balls get down, none leaves the board. They are far from the binomial distribution (the chapter says why), and which ball goes where is decided
    by roundings; but the middle third of the bins has no fewer than a flat distribution would give it, 80 / 3, less two of its standard deviations. */
-static void galtons_balls_arrive(void **unused)
+TEST(galtons_balls_arrive)
 {
-    (void)unused;
     wfWorld world = opened("Galton board", 1500);
     wfBodyView v = wfWorldBodies(&world);
     int middle = 0;
@@ -265,24 +247,9 @@ static void galtons_balls_arrive(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void experiments_have_names(void **unused)
+TEST(experiments_have_names)
 {
-    (void)unused;
     wfWorldDef how = wfDefaultWorldDef();
     for (int i = 0; i < wfClassicCount; i++) assert_true(wfClassicTable[i].name[0] && wfClassicTable[i].what[0] && wfClassicTable[i].aim[0]);
     assert_true(isnan(wfRunClassic("no such thing", &how)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sliding_slipping_creeping_rolling), cmocka_unit_test(a_pendulum_keeps_its_energy_and_its_time),
-        cmocka_unit_test(a_cradle_hands_the_speed_on), cmocka_unit_test(a_chain_bears_a_thousand_links), cmocka_unit_test(a_ball_keeps_its_energy), cmocka_unit_test(no_bullet_passes), cmocka_unit_test(the_theory_of_the_arch),
-        cmocka_unit_test(an_arch_stands_and_a_thinner_one_falls), cmocka_unit_test(an_arch_is_as_thin_as_theory_allows), cmocka_unit_test(an_overhang_stands_and_a_wider_one_falls),
-        cmocka_unit_test(a_card_house_of_five_storeys_stands), cmocka_unit_test(towers_and_loads_stand),
-        cmocka_unit_test(boxes_born_in_one_place_come_apart), cmocka_unit_test(experiments_have_names),
-        cmocka_unit_test(on_the_ramp_two_hold_and_two_slide), cmocka_unit_test(the_race_is_won_by_the_formula),
-        cmocka_unit_test(the_hung_cradle_hands_on), cmocka_unit_test(dominoes_all_fall), cmocka_unit_test(galtons_balls_arrive),
-    };
-    return cmocka_run_group_tests_name("30 the classics", tests, NULL, NULL);
 }

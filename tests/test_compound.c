@@ -36,9 +36,8 @@ static wfMassData part(double mass, double x, double y, double inertia)
     return (wfMassData){ (wfReal)mass, wfV2((wfReal)x, (wfReal)y), (wfReal)inertia, 1 };
 }
 
-static void two_points_have_the_reduced_mass(void **state)
+TEST(two_points_have_the_reduced_mass)
 {
-    (void)state;
     wfMassData p[2] = { part(1, 0, 0, 0), part(3, 3, 4, 0) }, out;
     assert_ok(wfCombineMasses(p, 2, &out));
     assert_true(out.mass == 4 && out.area == 2);
@@ -51,9 +50,8 @@ static void two_points_have_the_reduced_mass(void **state)
     assert_memory_equal(&out, &p[0], sizeof out);
 }
 
-static void sums_agree_with_a_slow_sum_in_any_order(void **state)
+TEST(sums_agree_with_a_slow_sum_in_any_order)
 {
-    (void)state;
     wfRandom r = random_stream(20);
     for (int round = 0; round < 2000; round++) {
         wfMassData p[20], out;
@@ -96,9 +94,8 @@ static void sums_agree_with_a_slow_sum_in_any_order(void **state)
     }
 }
 
-static void two_parts_do_not_care_who_comes_first(void **state)
+TEST(two_parts_do_not_care_who_comes_first)
 {
-    (void)state;
     wfRandom r = random_stream(33);
     for (int round = 0; round < 2000; round++) {
         wfMassData p[3], ab, ba;
@@ -113,9 +110,8 @@ static void two_parts_do_not_care_who_comes_first(void **state)
     }
 }
 
-static void halves_make_the_whole(void **state)
+TEST(halves_make_the_whole)
 {
-    (void)state;
     wfRandom r = random_stream(21);
     for (int round = 0; round < 2000; round++) {
         wfVec2 points[12];
@@ -138,9 +134,8 @@ static void halves_make_the_whole(void **state)
     }
 }
 
-static void what_overlaps_counts_twice(void **state)
+TEST(what_overlaps_counts_twice)
 {
-    (void)state;
     wfShape box[2];
     wfMassData one, two;
     assert_ok(wfMakeBox(1, 1, &box[0]));
@@ -153,9 +148,8 @@ static void what_overlaps_counts_twice(void **state)
 #define UNTOUCHED(error, call, out) do { memset(&(out), 0x5a, sizeof(out)); memset(again, 0x5a, sizeof(out)); \
     assert_result(error, call); assert_memory_equal(&(out), again, sizeof(out)); } while (0)
 
-static void bad_parts_are_refused(void **state)
+TEST(bad_parts_are_refused)
 {
-    (void)state;
     wfMassData p[3] = { part(1, 0, 0, 1), part(2, 1, 0, 1), part(3, 0, 1, 1) }, out, good = p[1];
     UNTOUCHED(WF_ERROR_NULL, wfCombineMasses(NULL, 3, &out), out);
     assert_result(WF_ERROR_NULL, wfCombineMasses(p, 3, NULL));
@@ -198,9 +192,8 @@ static void bad_parts_are_refused(void **state)
     assert_near2(out.centre, wfV2(0, 0), 4 * EPS);
 }
 
-static void bad_lists_of_shapes_are_refused(void **state)
+TEST(bad_lists_of_shapes_are_refused)
 {
-    (void)state;
     wfShape s[2];
     wfMassData out;
     assert_ok(wfMakeBox(1, 1, &s[0]));
@@ -237,9 +230,8 @@ static int64_t random_whole(wfRandom *r, int bits)
     return wfRandomU32(r) & 1 ? -v : v;
 }
 
-static void the_side_of_a_line_is_exact(void **state)
+TEST(the_side_of_a_line_is_exact)
 {
-    (void)state;
     wfRandom r = random_stream(22);
     int seen[3] = { 0 };
     for (int round = 0; round < 200000; round++) {
@@ -271,9 +263,8 @@ static void the_side_of_a_line_is_exact(void **state)
 }
 
 /* coordinates whose products need more bits than a double has: each step of a real near (12,12) and (24,24) */
-static void the_side_of_a_line_is_exact_step_by_step(void **state)
+TEST(the_side_of_a_line_is_exact_step_by_step)
 {
-    (void)state;
     int64_t unit = BITS == 22 ? (int64_t)1 << 24 : (int64_t)1 << 53;
     for (int i = -30; i < 30; i++)
         for (int j = -30; j < 30; j++) {
@@ -292,9 +283,8 @@ static void the_side_of_a_line_is_exact_step_by_step(void **state)
 }
 
 /* ---- what is wrong with an outline --------------------------------------------------------------------------------- */
-static void good_outlines_are_accepted(void **state)
+TEST(good_outlines_are_accepted)
 {
-    (void)state;
     const double u[][2] = { { -1, 0 }, { 1, 0 }, { 1, 2 }, { .6, 2 }, { .6, .5 }, { -.6, .5 }, { -.6, 2 }, { -1, 2 } };
     int n = SET(u);
     int32_t where[2] = { 77, 78 };
@@ -307,9 +297,8 @@ static void good_outlines_are_accepted(void **state)
     assert_result(error, wfCheckOutline(corner, n, where)); assert_int_equal(where[0], first); assert_int_equal(where[1], second); \
     assert_result(error, wfCheckOutline(corner, n, NULL)); } while (0)
 
-static void bad_outlines_are_named(void **state)
+TEST(bad_outlines_are_named)
 {
-    (void)state;
     const double closed[][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 }, { 0, 0 } };
     const double pinched[][2] = { { 0, 0 }, { 1, 1 }, { 2, 0 }, { 2, 2 }, { 1, 1 }, { 0, 2 } };
     const double middle[][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 } };
@@ -378,9 +367,8 @@ static bool lattice_simple(int (*p)[2], int n)
     return true;
 }
 
-static void outlines_on_a_lattice_are_judged_rightly(void **state)
+TEST(outlines_on_a_lattice_are_judged_rightly)
 {
-    (void)state;
     wfRandom r = random_stream(23);
     int good = 0, total = 0;
     for (int round = 0; round < 200000; round++) {
@@ -403,9 +391,8 @@ static void outlines_on_a_lattice_are_judged_rightly(void **state)
 }
 
 /* ---- the broom ---------------------------------------------------------------------------------------------------- */
-static void a_tidy_outline_keeps_its_corners(void **state)
+TEST(a_tidy_outline_keeps_its_corners)
 {
-    (void)state;
     const double messy[][2] = { { 0, 0 }, { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 3, 1 }, { 2, 1 }, { 2, 2 }, { 2, 2 }, { 0, 2 },
                                 { 0, 1 }, { 0, 0 } };
     int n = SET(messy);
@@ -429,9 +416,8 @@ static void a_tidy_outline_keeps_its_corners(void **state)
     }
 }
 
-static void the_broom_has_its_tolerance(void **state)
+TEST(the_broom_has_its_tolerance)
 {
-    (void)state;
     for (int e = -16; e <= 17; e++)
         for (int k = 0; k < 2; k++) {
             double size = ldexp(1, e), out = size * TOLERANCE * (k ? 1.03 : 0.97);
@@ -441,9 +427,8 @@ static void the_broom_has_its_tolerance(void **state)
         }
 }
 
-static void the_broom_refuses_what_is_no_outline(void **state)
+TEST(the_broom_refuses_what_is_no_outline)
 {
-    (void)state;
     const double line[][2] = { { 0, 0 }, { 1, 1 }, { 3, 3 }, { 2, 2 } }, box[][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } };
     assert_int_equal(wfTidyOutline(corner, SET(line), tidy), 0);
     int n = SET(box);
@@ -539,9 +524,8 @@ static int reflex_corners(const wfMesh *m)
     return reflex;
 }
 
-static void meshes_keep_their_promises(void **state)
+TEST(meshes_keep_their_promises)
 {
-    (void)state;
     wfRandom r = random_stream(25);
     for (int round = 0; round < 1200; round++) {
         int n = round < 40 ? 180 + round / 2 : 4 + (int)wfRandomBelow(&r, 40);
@@ -576,9 +560,8 @@ static void meshes_keep_their_promises(void **state)
 }
 
 /* corners in rows and columns: diagonals run along sides, angles are straight */
-static void meshes_on_a_lattice_merge_along_lines(void **state)
+TEST(meshes_on_a_lattice_merge_along_lines)
 {
-    (void)state;
     wfRandom r = random_stream(34);
     for (int round = 0; round < 20000; round++) {
         int n = 6 + (int)wfRandomBelow(&r, 4);
@@ -636,9 +619,8 @@ static void check_pieces(wfRandom *r, int n, int count, double size, int tries)
     }
 }
 
-static void pieces_fill_the_outline(void **state)
+TEST(pieces_fill_the_outline)
 {
-    (void)state;
     static const double sizes[] = { 1, 1e-3, 1e3, 30 };
     wfRandom r = random_stream(26);
     int thin = 0;
@@ -666,9 +648,8 @@ static void pieces_fill_the_outline(void **state)
     assert_true(thin < 8);
 }
 
-static void mass_is_the_outlines(void **state)
+TEST(mass_is_the_outlines)
 {
-    (void)state;
     wfRandom r = random_stream(27);
     for (int round = 0; round < 300; round++) {
         int n = 5 + (int)wfRandomBelow(&r, 40), count;
@@ -693,9 +674,8 @@ static void mass_is_the_outlines(void **state)
     }
 }
 
-static void known_outlines_have_known_pieces(void **state)
+TEST(known_outlines_have_known_pieces)
 {
-    (void)state;
     const double l[][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
     const double u[][2] = { { -1, 0 }, { 1, 0 }, { 1, 2 }, { .6, 2 }, { .6, .5 }, { -.6, .5 }, { -.6, 2 }, { -1, 2 } };
     const double box[][2] = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } }, triangle[][2] = { { 0, 0 }, { 1, 0 }, { 0, 1 } };
@@ -712,9 +692,8 @@ static void known_outlines_have_known_pieces(void **state)
         }
 }
 
-static void a_round_piece_becomes_several_shapes(void **state)
+TEST(a_round_piece_becomes_several_shapes)
 {
-    (void)state;
     wfRandom r = random_stream(28);
     for (int n = 3; n <= 120; n++) {
         int count = 0, most = 0, least = 99;
@@ -734,9 +713,8 @@ static void a_round_piece_becomes_several_shapes(void **state)
     }
 }
 
-static void slivers_do_not_break_it(void **state)
+TEST(slivers_do_not_break_it)
 {
-    (void)state;
     wfRandom r = random_stream(29);
     int made = 0, thin = 0;
     for (int round = 0; round < 3000; round++) {                /* saws with teeth down to one step of the reals */
@@ -766,9 +744,8 @@ static void slivers_do_not_break_it(void **state)
     assert_true(made > 1000 && thin * 100 < made);
 }
 
-static void a_needle_is_refused(void **state)
+TEST(a_needle_is_refused)
 {
-    (void)state;
     const double needle[][2] = { { 0, 0 }, { 1, 0 }, { 1, .499999 }, { 5, .5 }, { 1, .500001 }, { 1, 1 }, { 0, 1 } };
     const double small[][2] = { { 0, 0 }, { 1e-4, 0 }, { 1e-4, 1e-4 }, { 4.2e-6, 3e-6 }, { 2e-6, 9e-6 } };
     int n = SET(needle), count = 5;
@@ -784,9 +761,8 @@ static void a_needle_is_refused(void **state)
     assert_memory_equal(shape, again, sizeof shape);
 }
 
-static void bad_calls_change_nothing(void **state)
+TEST(bad_calls_change_nothing)
 {
-    (void)state;
     wfRandom r = random_stream(30);
     int n = 24, count = 5, want = 0;
     wfPool pool = fresh(), small;
@@ -831,9 +807,8 @@ static void bad_calls_change_nothing(void **state)
     assert_result(WF_ERROR_DUPLICATE, wfDecompose(corner, n + 1, shape, MOST, &count, &pool));
 }
 
-static void scratch_of_the_promised_size_is_enough(void **state)
+TEST(scratch_of_the_promised_size_is_enough)
 {
-    (void)state;
     wfRandom r = random_stream(31);
     for (int n = 3; n < 120; n++) {
         int count;
@@ -856,9 +831,8 @@ static void scratch_of_the_promised_size_is_enough(void **state)
 }
 
 #ifdef WF_DOUBLE
-static void what_is_too_small_for_products_ends_in_an_error(void **state)
+TEST(what_is_too_small_for_products_ends_in_an_error)
 {
-    (void)state;
     wfRandom r = random_stream(32);
     for (int round = 0; round < 2000; round++) {                /* corners apart by 1e-120 m: no side of a line is known */
         int n = 6 + (int)wfRandomBelow(&r, 10), count;
@@ -872,9 +846,8 @@ static void what_is_too_small_for_products_ends_in_an_error(void **state)
 #endif
 
 /* ---- chains ------------------------------------------------------------------------------------------------------- */
-static void an_open_chain_goes_straight_on(void **state)
+TEST(an_open_chain_goes_straight_on)
 {
-    (void)state;
     const double ground[][2] = { { 4, 0 }, { 3, 0.5 }, { 1, 0 }, { 0, 2 } };
     int n = SET(ground), count = 0;
     assert_ok(wfMakeChain(corner, n, false, shape, 3, &count));
@@ -891,9 +864,8 @@ static void an_open_chain_goes_straight_on(void **state)
     assert_int_equal(count, 1);
 }
 
-static void a_loop_closes(void **state)
+TEST(a_loop_closes)
 {
-    (void)state;
     const double box[][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 } };
     int n = SET(box), count = 0;
     assert_ok(wfMakeChain(corner, n, true, shape, 4, &count));
@@ -908,9 +880,8 @@ static void a_loop_closes(void **state)
     assert_int_equal(count, 3);
 }
 
-static void bad_chains_are_refused(void **state)
+TEST(bad_chains_are_refused)
 {
-    (void)state;
     const double good[][2] = { { 4, 0 }, { 3, 0.5 }, { 1, 0 }, { 0, 2 }, { 3, -1 } };   /* crosses itself: allowed */
     const double back[][2] = { { 4, 0 }, { 2, 0 }, { 3, 0 }, { 3, 1 } }, still[][2] = { { 4, 0 }, { 2, 0 }, { 2, 0 }, { 3, 1 } };
     const double end[][2] = { { 4, 0 }, { 2, 1 }, { 2, 3 }, { 2, 2 } }, on[][2] = { { 4, 0 }, { 3, 0 }, { 2, 0 }, { 1, 0 } };
@@ -940,9 +911,8 @@ static void bad_chains_are_refused(void **state)
     assert_memory_equal(shape, again, sizeof shape);
 }
 
-static void a_placed_shape_is_where_it_was_seen(void **unused)
+TEST(a_placed_shape_is_where_it_was_seen)
 {
-    (void)unused;
     assert_ok(wfMakeRoundedBox(2, 1, WF_R(0.1), &shape[0]));
     assert_ok(wfMakeCircle(wfV2(1, 1), 1, &shape[1]));
     assert_ok(wfMakeCapsule(wfV2(0, 0), wfV2(1, 2), WF_R(0.5), &shape[2]));
@@ -958,43 +928,4 @@ static void a_placed_shape_is_where_it_was_seen(void **unused)
         assert_near((double)a.max.y, (double)b.max.y, margin);
         assert_near((double)wfLength(wfSub(wfApply(by, wfShapeCentroid(&shape[k])), wfShapeCentroid(&placed))), 0, margin);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(two_points_have_the_reduced_mass),
-        cmocka_unit_test(sums_agree_with_a_slow_sum_in_any_order),
-        cmocka_unit_test(two_parts_do_not_care_who_comes_first),
-        cmocka_unit_test(halves_make_the_whole),
-        cmocka_unit_test(what_overlaps_counts_twice),
-        cmocka_unit_test(bad_parts_are_refused),
-        cmocka_unit_test(bad_lists_of_shapes_are_refused),
-        cmocka_unit_test(the_side_of_a_line_is_exact),
-        cmocka_unit_test(the_side_of_a_line_is_exact_step_by_step),
-        cmocka_unit_test(good_outlines_are_accepted),
-        cmocka_unit_test(bad_outlines_are_named),
-        cmocka_unit_test(outlines_on_a_lattice_are_judged_rightly),
-        cmocka_unit_test(a_tidy_outline_keeps_its_corners),
-        cmocka_unit_test(the_broom_has_its_tolerance),
-        cmocka_unit_test(the_broom_refuses_what_is_no_outline),
-        cmocka_unit_test(meshes_keep_their_promises),
-        cmocka_unit_test(meshes_on_a_lattice_merge_along_lines),
-        cmocka_unit_test(pieces_fill_the_outline),
-        cmocka_unit_test(mass_is_the_outlines),
-        cmocka_unit_test(known_outlines_have_known_pieces),
-        cmocka_unit_test(a_round_piece_becomes_several_shapes),
-        cmocka_unit_test(slivers_do_not_break_it),
-        cmocka_unit_test(a_needle_is_refused),
-        cmocka_unit_test(bad_calls_change_nothing),
-        cmocka_unit_test(scratch_of_the_promised_size_is_enough),
-#ifdef WF_DOUBLE
-        cmocka_unit_test(what_is_too_small_for_products_ends_in_an_error),
-#endif
-        cmocka_unit_test(an_open_chain_goes_straight_on),
-        cmocka_unit_test(a_loop_closes),
-        cmocka_unit_test(bad_chains_are_refused),
-        cmocka_unit_test(a_placed_shape_is_where_it_was_seen),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -55,9 +55,8 @@ static const wfContactPoint *nearest(const wfManifold *m, wfVec2 p)
     return best;
 }
 
-static void test_features(void **state)
+TEST(test_features)
 {
-    (void)state;
     /* all different for all owners, vertices and edges, and none is the circle's */
     static uint32_t seen[2 * 16 * 16];
     int n = 0;
@@ -73,9 +72,8 @@ static void test_features(void **state)
 }
 
 /* A box of 2 by 2 on a table of 10 by 2, 0.2 m deep, 3 m to the right of the middle. */
-static void test_box_on_table(void **state)
+TEST(test_box_on_table)
 {
-    (void)state;
     wfShape table = box(5, 1), b = box(1, 1);
     for (int turn = 0; turn < 360; turn += 30) {
         wfTransform xt = at(-1, 2, turn), xb = wfTransformMul(xt, at(3, 1.8, 0));
@@ -102,9 +100,8 @@ static void test_box_on_table(void **state)
 
 /* Equal boxes exactly on each other, overlapping and just touching: the points bear the names of the upper corners, for
    an end that lies on the side plane has not been cut. */
-static void test_flush(void **state)
+TEST(test_flush)
 {
-    (void)state;
     wfShape b = box(1, 1);
     for (int touch = 0; touch < 2; touch++) {
         wfManifold m = collide(&b, at(0, 0, 0), &b, at(0, touch ? 2 : 1.75, 0));
@@ -120,9 +117,8 @@ static void test_flush(void **state)
 }
 
 /* The same box hangs over the edge: one point is clipped to the table's corner and bears its name. */
-static void test_overhang(void **state)
+TEST(test_overhang)
 {
-    (void)state;
     wfShape table = box(5, 1), b = box(1, 1);
     for (int swap = 0; swap < 2; swap++)
         for (int side = -1; side <= 1; side += 2) {
@@ -145,9 +141,8 @@ static void test_overhang(void **state)
 }
 
 /* A box on its corner: one point, whichever way round. */
-static void test_corner_on_table(void **state)
+TEST(test_corner_on_table)
 {
-    (void)state;
     wfShape table = box(5, 1), b = box(1, 1);
     double r2 = sqrt(2);
     for (int swap = 0; swap < 2; swap++) {
@@ -164,9 +159,8 @@ static void test_corner_on_table(void **state)
 }
 
 /* A box tilted by 1 degree keeps both points, the higher one less deep by 2 m times sin 1. */
-static void test_tilt(void **state)
+TEST(test_tilt)
 {
-    (void)state;
     wfShape table = box(5, 1), b = box(1, 1);
     double s1 = sin(3.14159265358979 / 180), c1 = cos(3.14159265358979 / 180);
     wfManifold m = collide(&table, at(0, 0, 0), &b, at(0, 1.9, 1));
@@ -182,9 +176,8 @@ static void test_tilt(void **state)
     assert_near(m.points[0].depth, 1 - (1.99 - c1 - s1), ROUNDING);
 }
 
-static void test_circles(void **state)
+TEST(test_circles)
 {
-    (void)state;
     wfShape a = circle(0, 0, 2), b = circle(0, 0, 1), t = box(5, 1);
     wfManifold m = collide(&a, at(1, 1, 30), &b, at(1 + 2.8 * 0.6, 1 + 2.8 * 0.8, 0));
     assert_int_equal(m.count, 1);
@@ -224,9 +217,8 @@ static wfShape random_shape(wfRandom *r)
    deep as the shapes overlap; and there is a contact exactly if they overlap. The second-best edge, chosen within the
    tie, may have its deepest vertex past its end, by a distance that grows as the edges get parallel: those few are left
    to test_ties_never_lose_a_contact. */
-static void test_random_contacts(void **state)
+TEST(test_random_contacts)
 {
-    (void)state;
     wfRandom r = random_stream(21);
     int two = 0, touching = 0, exact = 0;
     for (int i = 0; i < 6000; i++) {
@@ -275,9 +267,8 @@ static void assert_mirrored(const wfManifold *m, const wfManifold *w)
 
 /* Swapped bodies: the same points, the same depths, the normal turned round, the features with their owner swapped.
    Compared where the same edge decides. */
-static void test_swap(void **state)
+TEST(test_swap)
 {
-    (void)state;
     wfRandom r = random_stream(22);
     int compared = 0;
     for (int i = 0; i < 4000; i++) {
@@ -307,9 +298,8 @@ static void test_swap(void **state)
 }
 
 /* A rigid motion of both bodies carries the contacts along. The quarter turns make it exact enough to compare all. */
-static void test_rigid_motion(void **state)
+TEST(test_rigid_motion)
 {
-    (void)state;
     wfRandom r = random_stream(23);
     for (int i = 0; i < 2000; i++) {
         wfShape a = random_shape(&r), b = random_shape(&r);
@@ -332,9 +322,8 @@ static void test_rigid_motion(void **state)
 }
 
 /* 10 km from the origin the manifold is the same, bit for bit, in all that is not itself a position there. */
-static void test_far_from_the_origin(void **state)
+TEST(test_far_from_the_origin)
 {
-    (void)state;
     wfRandom r = random_stream(24);
     int contacts = 0;
     for (int i = 0; i < 2000; i++) {
@@ -359,9 +348,8 @@ static void test_far_from_the_origin(void **state)
 }
 
 /* Two boxes that rub and rock: while both corners stay below the surface their names stay the same. */
-static void test_features_persist(void **state)
+TEST(test_features_persist)
 {
-    (void)state;
     wfShape table = box(5, 1), b = box(1, 1);
     wfManifold first = collide(&table, at(0, 0, 0), &b, at(0, 1.9, 0));
     wfRandom r = random_stream(25);
@@ -383,9 +371,8 @@ static void test_features_persist(void **state)
 }
 
 /* A narrow phase that names no edge: the best aligned edges give the same contacts. */
-static void test_without_an_edge(void **state)
+TEST(test_without_an_edge)
 {
-    (void)state;
     wfRandom r = random_stream(26);
     int same = 0, all = 0;
     for (int i = 0; i < 2000; i++) {
@@ -409,9 +396,8 @@ static void test_without_an_edge(void **state)
 
 /* Whatever edge the tie picks: a contact remains, as deep as was said. Many-sided, nearly concentric shapes have nothing
    but ties. */
-static void test_ties_never_lose_a_contact(void **state)
+TEST(test_ties_never_lose_a_contact)
 {
-    (void)state;
     wfRandom r = random_stream(27);
     wfVec2 round[WF_MAX_VERTICES];
     for (int i = 0; i < WF_MAX_VERTICES; i++) {
@@ -436,9 +422,8 @@ static void test_ties_never_lose_a_contact(void **state)
 
 /* A reference edge that has nothing right below it, as a tie may choose it: the deepest corner is used as it is. Both
    ways round, and once with the other body's edge slanting down past the end. */
-static void test_nothing_below_the_edge(void **state)
+TEST(test_nothing_below_the_edge)
 {
-    (void)state;
     wfShape a = box(1, 1);
     int top = 0;
     while (a.normals[top].y < 0.5f) top++;
@@ -487,9 +472,8 @@ static void test_nothing_below_the_edge(void **state)
 }
 
 /* Without an owner the better aligned body is the reference, and A if both are. */
-static void test_reference_by_alignment(void **state)
+TEST(test_reference_by_alignment)
 {
-    (void)state;
     wfShape a = box(1, 1);
     double r2 = sqrt(2);
     wfSeparation s = { (wfReal)-0.1, wfV2(0, 1), WF_NO_EDGE, WF_NO_EDGE };
@@ -513,9 +497,8 @@ static void test_reference_by_alignment(void **state)
     }
 }
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfShape b = box(1, 1), c = circle(0, 0, 1), none = { 0 };
     none.kind = WF_SHAPE_NONE;
     wfTransform o = at(0, 0, 0), bad = o;
@@ -545,18 +528,4 @@ static void test_bad_input(void **state)
     s.distance = WF_R(0.001);
     wfMakeManifold(&b, o, &b, o, &s, &m);
     assert_int_equal(m.count, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_features), cmocka_unit_test(test_box_on_table), cmocka_unit_test(test_flush), cmocka_unit_test(test_overhang),
-        cmocka_unit_test(test_corner_on_table), cmocka_unit_test(test_tilt), cmocka_unit_test(test_circles),
-        cmocka_unit_test(test_random_contacts), cmocka_unit_test(test_swap), cmocka_unit_test(test_rigid_motion),
-        cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_features_persist),
-        cmocka_unit_test(test_without_an_edge), cmocka_unit_test(test_ties_never_lose_a_contact),
-        cmocka_unit_test(test_nothing_below_the_edge), cmocka_unit_test(test_reference_by_alignment),
-        cmocka_unit_test(test_bad_input),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

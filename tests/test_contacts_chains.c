@@ -65,9 +65,8 @@ static double side(P a, P b, P c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.
 
 /* A circle whose centre is in front of the chain: it touches exactly if the nearest point of the whole broken line is
    near enough, and the deepest contact is that point's. No contact is deeper, and each has the direction of a point. */
-static void test_circles_see_the_whole_line(void **state)
+TEST(test_circles_see_the_whole_line)
 {
-    (void)state;
     wfRandom r = random_stream(131);
     int touching = 0, corners = 0, twice = 0;
     for (int i = 0; i < 20000; i++) {
@@ -138,9 +137,8 @@ static double reach_of(const wfShape *s) { return (double)wfShapeMaxExtent(s); }
 
 /* Bodies with edges: every contact has a direction that the surface has; the corner in its name is where the point is;
    and swapping the two changes nothing. */
-static void test_cores_keep_to_the_surface(void **state)
+TEST(test_cores_keep_to_the_surface)
 {
-    (void)state;
     wfRandom r = random_stream(132);
     int touching = 0, two = 0, corner = 0;
     for (int i = 0; i < 30000; i++) {
@@ -199,9 +197,8 @@ static double height(const wfVec2 *p, int n, double x)
 
 /* No holes: whatever the joints, a body that has sunk in a little (no more than a fifth of its reach) is held by some link;
    and one that does not reach the surface by none. */
-static void test_no_holes(void **state)
+TEST(test_no_holes)
 {
-    (void)state;
     wfRandom r = random_stream(133);
     int in = 0, out = 0;
     for (int i = 0; i < 20000; i++) {
@@ -254,9 +251,8 @@ static void test_no_holes(void **state)
 }
 
 /* By hand: a joint that sticks out by 60 degrees, one that goes in by 60, and boxes, balls and capsules at them. */
-static void test_joints_by_hand(void **state)
+TEST(test_joints_by_hand)
 {
-    (void)state;
     double c60 = 0.5, s60 = sqrt(0.75);
     wfVec2 hill[4] = { wfV2(2, (wfReal)(-2 * s60 / c60)), wfV2(0, 0), wfV2(-2, 0), wfV2(-4, 0) };
     wfVec2 valley[4] = { wfV2(2, (wfReal)(2 * s60 / c60)), wfV2(0, 0), wfV2(-2, 0), wfV2(-4, 0) };
@@ -356,9 +352,8 @@ static void test_joints_by_hand(void **state)
 
 /* A joint that sticks out, blunt and sharp, from a millimetre's sides to a kilometre's: a ball on its tip, in every
    direction of the fan, and a box that lies on it are held, along the direction and as deep as they are. */
-static void test_tips_of_every_size(void **state)
+TEST(test_tips_of_every_size)
 {
-    (void)state;
     static const double turns[] = { 20, 60, 89, 91, 120, 150 };
     for (int t = 0; t < 6; t++)
         for (int size = -10; size <= 10; size += 5) {
@@ -389,9 +384,8 @@ static void test_tips_of_every_size(void **state)
 
 /* Links look ahead like all shapes: with a margin they report gaps up to it, on their own edge, at a joint that sticks out
    and for coats, from either side of the pair, at every size. */
-static void test_links_look_ahead(void **state)
+TEST(test_links_look_ahead)
 {
-    (void)state;
     for (int size = -10; size <= 10; size += 10) {
         double k = ldexp(1, size);
         wfVec2 crest[3] = { wfV2((wfReal)k, (wfReal)-k), wfV2(0, 0), wfV2((wfReal)-k, (wfReal)-k) };
@@ -430,9 +424,8 @@ static void crest_of(const wfVec2 *p, bool mirror, double scale, wfShape *links)
 
 /* A box lies on one side of a crest and reaches over it, tilted a little beyond that side: the other side must not push.
    Tilted the other way, both push, along the box's own normal. In any frame, at any size, either side. */
-static void test_cuts_belong_to_the_neighbour(void **state)
+TEST(test_cuts_belong_to_the_neighbour)
 {
-    (void)state;
     wfRandom r = random_stream(141);
     for (int i = 0; i < 2000; i++) {
         double phi = 0.3 + 1.1 * (double)wfRandomReal(&r, 0, 1), tilt = 0.002 + 0.01 * (double)wfRandomReal(&r, 0, 1), k = ldexp(1, (int)wfRandomBelow(&r, 9) - 4);
@@ -458,9 +451,8 @@ static void test_cuts_belong_to_the_neighbour(void **state)
 
 /* Needles that have pierced a chain just below its crest. The link beyond the crest does not see them, once because it is
    not touched, once because their centre is behind it: then the cut at the joint is all that holds them. */
-static void test_needles(void **state)
+TEST(test_needles)
 {
-    (void)state;
     wfRandom r = random_stream(142);
     static const double crests[2][3][2] = { { { 1.16803, -0.199569 }, { 0.000177, 0.129868 }, { -0.912754, -0.315207 } },
                                             { { 2.29246, -0.0285986 }, { 0.737939, -0.0673967 }, { 0.3337, -0.410677 } } };
@@ -574,9 +566,8 @@ static wfShape hexagon(double radius)
 
 /* A thousand tiles: what slides or rolls does not notice them. A window of links moves along with the body, so that
    coordinates stay small and the floor is the same everywhere. */
-static void test_thousand_tiles(void **state)
+TEST(test_thousand_tiles)
 {
-    (void)state;
     wfVec2 p[9];
     wfShape links[8];
     for (int i = 0; i < 9; i++) p[i] = wfV2(2 - WF_R(0.5) * (wfReal)i, 0);
@@ -602,9 +593,8 @@ static void test_thousand_tiles(void **state)
 }
 
 /* Hills and valleys, sharp and gentle: bodies fall, slide and tumble; none comes through the surface, none flies off. */
-static void test_rides(void **state)
+TEST(test_rides)
 {
-    (void)state;
     wfRandom rnd = random_stream(134);
     int held = 0;
     for (int run = 0; run < 60; run++) {
@@ -629,9 +619,8 @@ static void test_rides(void **state)
 }
 
 /* From behind: no contact until the centre has passed, and then out, in front. */
-static void test_from_behind(void **state)
+TEST(test_from_behind)
 {
-    (void)state;
     wfVec2 p[9];
     wfShape links[8];
     for (int i = 0; i < 9; i++) p[i] = wfV2(2 - WF_R(0.5) * (wfReal)i, 0);
@@ -657,9 +646,8 @@ static void test_from_behind(void **state)
 /* A link and a shape far from everything, and bad numbers: nothing, and nothing broken. */
 /* The margin is part of what is seen: a box exactly as far above a link as the margin is wide has its two points, one rounding
    farther it has none. All numbers are powers of two, so the gap is exact. */
-static void test_margin_to_the_bit(void **state)
+TEST(test_margin_to_the_bit)
 {
-    (void)state;
     const wfVec2 p[2] = { wfV2(4, 0), wfV2(-4, 0) };
     wfShape link, box;
     wfManifold m;
@@ -672,9 +660,8 @@ static void test_margin_to_the_bit(void **state)
     assert_int_equal(collide(&link, here, &box, above, WF_R(0.5) - WF_EPSILON / 4, &m), 0);
 }
 
-static void test_nothing(void **state)
+TEST(test_nothing)
 {
-    (void)state;
     wfShape l, b = box(1, 1), none = { 0 };
     assert_ok(wfMakeLink(wfV2(2, 0), wfV2(1, 0), wfV2(-1, 0), wfV2(-2, 0), &l));
     wfManifold m;
@@ -691,16 +678,4 @@ static void test_nothing(void **state)
     assert_int_equal(m.count, 0);
     wfMakeManifoldWithin(&l, at(0, 0, 0), &b, at(0, 0.9, 0), &s, (wfReal)NAN, &m);
     assert_int_equal(m.count, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_circles_see_the_whole_line), cmocka_unit_test(test_cores_keep_to_the_surface),
-        cmocka_unit_test(test_no_holes), cmocka_unit_test(test_joints_by_hand),
-        cmocka_unit_test(test_cuts_belong_to_the_neighbour), cmocka_unit_test(test_tips_of_every_size), cmocka_unit_test(test_links_look_ahead),
-        cmocka_unit_test(test_needles), cmocka_unit_test(test_thousand_tiles),
-        cmocka_unit_test(test_rides), cmocka_unit_test(test_from_behind), cmocka_unit_test(test_margin_to_the_bit), cmocka_unit_test(test_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -98,9 +98,8 @@ static void assert_named(const wfShape *a, wfTransform xa, const wfShape *b, wfT
 }
 
 /* Random pairs of all kinds, by both rows of the table and with margins. */
-static void test_all_kinds(void **state)
+TEST(test_all_kinds)
 {
-    (void)state;
     wfRandom r = random_stream(135);
     int coated = 0, corners = 0, two = 0, gaps = 0, sat = wfFindNarrowPhase("sat"), gjk = wfFindNarrowPhase("gjk");
     for (int i = 0; i < 40000; i++) {
@@ -167,9 +166,8 @@ static void assert_mirror(const wfManifold *m, const wfManifold *w)
 }
 
 /* By hand. */
-static void test_coats_by_hand(void **state)
+TEST(test_coats_by_hand)
 {
-    (void)state;
     wfShape pill = capsule(-1, 0, 1, 0, 0.5), b = rounded_box(2, 0.5, 0.25), s = segment(-1, 0, 1, 0), o = circle(0, 0, 0.5);
     int sat = wfFindNarrowPhase("sat");
     wfManifold m, w;
@@ -238,9 +236,8 @@ static void test_coats_by_hand(void **state)
 
 /* A corner so flat that both its edges are in a tie: the narrow phase may name the one beyond which the other body stands.
    The contact must not be taken for one of two corners, which are too far apart. */
-static void test_flat_corner(void **state)
+TEST(test_flat_corner)
 {
-    (void)state;
     int sat = wfFindNarrowPhase("sat"), other = 0;
     for (int turn = 0; turn < 8; turn++)
         for (int side = -1; side <= 1; side += 2)
@@ -265,9 +262,8 @@ static void test_flat_corner(void **state)
 }
 
 /* Margins: nothing that was there goes away, and with 0 not a bit changes. */
-static void test_margins(void **state)
+TEST(test_margins)
 {
-    (void)state;
     wfRandom r = random_stream(136);
     int more = 0, sat = wfFindNarrowPhase("sat");
     for (int i = 0; i < 5000; i++) {
@@ -305,9 +301,8 @@ static void test_margins(void **state)
 /* Two boxes face each other, B turned by theta and shifted by x. Along A's normal the gap is y - cos/2 - sin - 1/2, along
    B's y cos - x sin - 1/2 - sin - cos/2: B's is greater by about -x theta, here 0.00015. That is less than a tie. If they
    overlap the normal is A's, exactly; across a gap there are no ties (the sign of the gap would be at stake), and it is B's. */
-static void test_ties_only_in_touch(void **state)
+TEST(test_ties_only_in_touch)
 {
-    (void)state;
     const double theta = 0.0005;
     for (int size = -10; size <= 10; size += 10)
         for (int apart = 0; apart < 2; apart++) {
@@ -331,9 +326,8 @@ static void give(wfManifold *m, int k, double normal, double tangent)
     m->points[k].tangentImpulse = (wfReal)tangent;
 }
 
-static void test_keep_by_hand(void **state)
+TEST(test_keep_by_hand)
 {
-    (void)state;
     wfShape table = box(5, 1), b = box(1, 1);
     int sat = wfFindNarrowPhase("sat");
     wfManifold before, now, none = { .normal = wfV2(0, 1) };
@@ -373,9 +367,8 @@ static void test_keep_by_hand(void **state)
 
 /* Long slides, turns and rolls in small steps. An impulse that is kept belongs to the corner where the point still is: seen
    from the corner's own body the point has not moved, but for depth and coat; and it is the nearest of the old ones. */
-static void test_impulses_never_jump(void **state)
+TEST(test_impulses_never_jump)
 {
-    (void)state;
     wfRandom r = random_stream(137);
     int kept = 0, fresh = 0, sat = wfFindNarrowPhase("sat");
     for (int run = 0; run < 150; run++) {
@@ -417,9 +410,8 @@ static void test_impulses_never_jump(void **state)
 }
 
 /* A box slides and rocks along a table, and its names are never lost. */
-static void test_a_slide_loses_nothing(void **state)
+TEST(test_a_slide_loses_nothing)
 {
-    (void)state;
     wfShape table = box(50, 1), bodies[] = { box(1, 1), rounded_box(0.8, 0.8, 0.2), capsule(-1, 0, 1, 0, 1), segment(-1, -1, 1, -1) };
     wfRandom r = random_stream(138);
     for (int k = 0; k < 4; k++)
@@ -480,9 +472,8 @@ static double deepest_of(const wfManifold *m)
 
 /* Pairs that wander, both bodies: depths that are used again are the narrow phase's to within the bound, and no pair is
    used again that has moved further than allowed. Together with the frame moving about, which must not matter. */
-static void test_reuse_is_bounded(void **state)
+TEST(test_reuse_is_bounded)
 {
-    (void)state;
     wfRandom r = random_stream(139);
     int reused = 0, apart = 0, refused = 0, sat = wfFindNarrowPhase("sat");
     for (int run = 0; run < 1500; run++) {
@@ -528,9 +519,8 @@ static void test_reuse_is_bounded(void **state)
 }
 
 /* How far is too far: a way, a turn of either body, both, on the exact border; the same at every size and in every frame. */
-static void test_reuse_limit(void **state)
+TEST(test_reuse_limit)
 {
-    (void)state;
     for (int size = -10; size <= 10; size += 5)
         for (int swap = 0; swap < 2; swap++)
             for (int way = 0; way < 4; way++)
@@ -555,9 +545,8 @@ static void test_reuse_limit(void **state)
 }
 
 /* The points of the two bodies go along, exactly, however far; the normal and the arms stay, and what was borne stays. */
-static void test_reuse_follows(void **state)
+TEST(test_reuse_follows)
 {
-    (void)state;
     wfRandom r = random_stream(140);
     int same = 0;
     for (int i = 0; i < 3000; i++) {
@@ -590,9 +579,8 @@ static void test_reuse_follows(void **state)
     assert_true(same > 800);
 }
 
-static void test_reuse_refuses(void **state)
+TEST(test_reuse_refuses)
 {
-    (void)state;
     wfShape b = box(1, 1), o = circle(0, 0, 1), l;
     assert_ok(wfMakeLink(wfV2(4, 0), wfV2(2, 0), wfV2(-2, 0), wfV2(-4, 0), &l));
     Known k = { .cache.known = 0 };
@@ -630,15 +618,4 @@ static void test_reuse_refuses(void **state)
         bad.q.s = BAD_REALS[i];
         assert_false(again(&k, bad, at(0, 2, 0), 0));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_kinds), cmocka_unit_test(test_coats_by_hand), cmocka_unit_test(test_flat_corner), cmocka_unit_test(test_margins), cmocka_unit_test(test_ties_only_in_touch),
-        cmocka_unit_test(test_keep_by_hand), cmocka_unit_test(test_impulses_never_jump), cmocka_unit_test(test_a_slide_loses_nothing),
-        cmocka_unit_test(test_reuse_is_bounded), cmocka_unit_test(test_reuse_limit), cmocka_unit_test(test_reuse_follows),
-        cmocka_unit_test(test_reuse_refuses),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

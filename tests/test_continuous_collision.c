@@ -13,13 +13,6 @@ static wfWorldDef calm(const char *solver)                   /* a world without 
     return def;
 }
 
-static wfWorld open_world(const wfWorldDef *def)
-{
-    wfWorld w;
-    assert_ok(wfCreateWorld(def, &w));
-    return w;
-}
-
 static wfContinuousReport report(const wfWorld *w)
 {
     wfContinuousReport r;
@@ -60,7 +53,7 @@ static bool gets_through(const Shot *s, int phase, wfContinuousReport *sum, doub
 {
     wfWorldDef def = calm(s->solver);
     def.maxImpacts = s->impacts;
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfBodyDef wd = wall_of(0.02, 100), bd = body_of(s->kind, 0.05);
     if (s->wall == 1) wd.type = WF_KINEMATIC, wd.velocity = wfV2(-1, 0);
     if (s->wall >= 2) wd.type = WF_DYNAMIC;
@@ -87,9 +80,8 @@ static bool gets_through(const Shot *s, int phase, wfContinuousReport *sum, doub
     return through;
 }
 
-static void nothing_gets_through(void **state)
+TEST(nothing_gets_through)
 {
-    (void)state;
     const double speeds[2] = { 300, 1e5 }, spins[2] = { 0, 1e4 };
     wfContinuousReport sum = { 0, 0, 0 };
     for (int solver = 0; solver < wfSolverCount; solver++)
@@ -111,9 +103,8 @@ static void nothing_gets_through(void **state)
 }
 
 /* The same test must be able to fail: without impacts a solver that does not step lets everything through. */
-static void without_impacts_all_gets_through(void **state)
+TEST(without_impacts_all_gets_through)
 {
-    (void)state;
     for (int wall = 0; wall < 4; wall++) {
         Shot s = { "sequential", 0, wall, 300, 0, 0 };
         wfContinuousReport sum = { 0, 0, 0 };
@@ -128,7 +119,7 @@ static void without_impacts_all_gets_through(void **state)
 
 static wfBodyInfo fly_past(const wfWorldDef *def, const wfBodyDef *obstacle, wfBodyDef bullet, int steps)
 {
-    wfWorld w = open_world(def);
+    wfWorld w = world_with(def);
     if (obstacle != NULL) add(&w, *obstacle);
     else { wfBodyDef particle = wfDefaultBodyDef(); particle.mass = 1; particle.type = WF_STATIC; add(&w, particle); }
     wfBodyId id = add(&w, bullet);
@@ -139,9 +130,8 @@ static wfBodyInfo fly_past(const wfWorldDef *def, const wfBodyDef *obstacle, wfB
 }
 
 /* A bullet passes a corner at twice the slop; its path has the bits of one that flies alone. */
-static void a_corner_is_passed_without_a_ghost(void **state)
+TEST(a_corner_is_passed_without_a_ghost)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int kind = 0; kind < 3; kind++)
             for (int phase = 0; phase < 20; phase += 3) {
@@ -175,14 +165,13 @@ static void let_pass(void *context, const wfCallbackView *view, const wfContact 
     change->enabled = 0;
 }
 
-static void who_may_not_meet_is_not_stopped(void **state)
+TEST(who_may_not_meet_is_not_stopped)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int how = 0; how < 5; how++) {
             if (how == 3 && wfSolverTable[solver].step == NULL) continue;       /* joints need a solver that steps */
             wfWorldDef def = calm(wfSolverTable[solver].name);
-            wfWorld w = open_world(&def);
+            wfWorld w = world_with(&def);
             Says says = { 0, 0 };
             wfCallbacks hooks = { .context = &says };
             wfBodyDef wd = wall_of(0.02, 2), bd = body_of(0, 0.05);
@@ -218,15 +207,14 @@ static void who_may_not_meet_is_not_stopped(void **state)
 /* ---- the impact itself ---- */
 
 /* Head on, with restitution e, against a wall at rest or another ball: Newton's law, and the place at the end of the step. */
-static void an_impact_is_newtons(void **state)
+TEST(an_impact_is_newtons)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int k = 0; k < 9; k++) {
             double e = 0.5 * (k % 3), h = 1.0 / 60, v = 240, radius = 0.05;
             int what = k / 3;                                    /* a wall, a ball of the same mass, one of four times the mass */
             wfWorldDef def = calm(wfSolverTable[solver].name);
-            wfWorld w = open_world(&def);
+            wfWorld w = world_with(&def);
             wfBodyDef bd = body_of(0, radius), od = what == 0 ? wall_of(0.2, 2) : body_of(0, what == 1 ? 0.05 : 0.1);
             double half = what == 0 ? 0.1 : what == 1 ? 0.05 : 0.1;
             bd.restitution = od.restitution = (wfReal)e, bd.friction = od.friction = 0;
@@ -258,9 +246,8 @@ static void an_impact_is_newtons(void **state)
 }
 
 /* A ball between two walls, e = 1, several impacts in each step: its speed stays, and so does its place on the folded line. */
-static void a_ball_between_walls_loses_no_time(void **state)
+TEST(a_ball_between_walls_loses_no_time)
 {
-    (void)state;
     const double speeds[4] = { 200, 97, 311, 701 };
     for (int n = 0; n < 8; n++) {
         /* a solver that does not step bounces what a picture shows in the wall, a little late: at 200 m/s there is no such picture */
@@ -268,7 +255,7 @@ static void a_ball_between_walls_loses_no_time(void **state)
         double v = soft ? speeds[n] : 200;
         int solver = soft ? wfFindSolver("soft") : n - 4;
         wfWorldDef def = calm(wfSolverTable[solver].name);
-        wfWorld w = open_world(&def);
+        wfWorld w = world_with(&def);
         wfBodyDef left = wall_of(0.2, 2), right = left, bd = body_of(0, 0.05);
         left.position = wfV2(-WF_R(0.6), 0), right.position = wfV2(WF_R(0.6), 0);
         left.restitution = right.restitution = bd.restitution = 1;
@@ -294,14 +281,13 @@ static void a_ball_between_walls_loses_no_time(void **state)
 }
 
 /* A rod that spins about its middle meets a peg: at the angle that geometry says, at any speed. */
-static void a_spinning_rod_hits_a_peg(void **state)
+TEST(a_spinning_rod_hits_a_peg)
 {
-    (void)state;
     const double spins[4] = { 50, 300, 3000, 10000 };
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int k = 0; k < 4; k++) {
             wfWorldDef def = calm(wfSolverTable[solver].name);
-            wfWorld w = open_world(&def);
+            wfWorld w = world_with(&def);
             wfBodyDef rod = wfDefaultBodyDef(), peg = body_of(0, 0.05);
             assert_ok(wfMakeBox(1, WF_R(0.02), &rod.shape));
             peg.type = WF_STATIC, peg.position = wfV2(0, WF_R(0.8));
@@ -335,13 +321,12 @@ static void a_spinning_rod_hits_a_peg(void **state)
 }
 
 /* A door that no one can stop sweeps over crates: they fly off at its speed or faster, and none is left behind it. */
-static void a_kinematic_door_sweeps_all(void **state)
+TEST(a_kinematic_door_sweeps_all)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int phase = 0; phase < 5; phase++) {
             wfWorldDef def = calm(wfSolverTable[solver].name);
-            wfWorld w = open_world(&def);
+            wfWorld w = world_with(&def);
             wfBodyDef door = wall_of(0.02, 4), crate = body_of(1, 0.05);
             door.type = WF_KINEMATIC, door.velocity = wfV2(200, 0), door.position = wfV2(-3 - WF_R(0.6) * (wfReal)phase, 0);
             wfBodyId first = add(&w, door), ids[6];
@@ -360,13 +345,12 @@ static void a_kinematic_door_sweeps_all(void **state)
 }
 
 /* A bullet hits a row of boxes that touch: momentum stays, nobody is passed through. */
-static void a_row_of_boxes_is_hit(void **state)
+TEST(a_row_of_boxes_is_hit)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int phase = 0; phase < 20; phase += 3) {
             wfWorldDef def = calm(wfSolverTable[solver].name);
-            wfWorld w = open_world(&def);
+            wfWorld w = world_with(&def);
             wfBodyDef box = body_of(1, 0.25), bullet = body_of(0, 0.05);
             wfBodyId ids[6];
             for (int i = 0; i < 5; i++) {
@@ -394,15 +378,14 @@ static void a_row_of_boxes_is_hit(void **state)
 /* Something lies on the floor and is struck from above, step after step, each time by a way of less than its inner radius.
  * It must not be driven into the floor: nobody is deeper than what a contact may leave, by far. (A soak of 875,215 steps
  * found one that was.) */
-static void who_is_struck_on_the_floor_stays_above_it(void **state)
+TEST(who_is_struck_on_the_floor_stays_above_it)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int kind = 0; kind < 2; kind++)
             for (int phase = 0; phase < 20; phase += 3) {
                 wfWorldDef def = calm(wfSolverTable[solver].name);
                 def.gravity = wfV2(0, WF_R(-9.81));
-                wfWorld w = open_world(&def);
+                wfWorld w = world_with(&def);
                 wfBodyDef floor = wall_of(40, 2), lies = body_of(kind, 0.45), shot = body_of(0, 0.05);
                 floor.position = wfV2(0, -1), lies.position = wfV2(0, WF_R(0.45));
                 add(&w, floor);
@@ -423,15 +406,14 @@ static void who_is_struck_on_the_floor_stays_above_it(void **state)
 }
 
 /* A crate slides over a floor of tiles, and over a chain, at 50 m/s without friction: it is never slowed down nor thrown up. */
-static void seams_are_no_bumps(void **state)
+TEST(seams_are_no_bumps)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int kind = 0; kind < 6; kind++) {
             wfWorldDef def = calm(wfSolverTable[solver].name);
             def.gravity = wfV2(0, WF_R(-9.81));
             def.bodyCapacity = 200, def.shapeCapacity = 400;
-            wfWorld w = open_world(&def);
+            wfWorld w = world_with(&def);
             if (kind < 3)
                 for (int i = 0; i < 120; i++) {
                     wfBodyDef tile = wall_of(1, 1);
@@ -476,7 +458,7 @@ static double deepest_in_hall(int solver, int impacts, double *allowed)
     const double R = 40, r = 0.35, pi = 3.14159265358979;
     wfWorldDef def = calm(wfSolverTable[solver].name);
     def.bodyCapacity = 2, def.shapeCapacity = 400, def.maxImpacts = impacts;
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfBodyDef ground = wfDefaultBodyDef();
     ground.type = WF_STATIC, ground.mass = 1;
     wfBodyId id = add(&w, ground);
@@ -505,9 +487,8 @@ static double deepest_in_hall(int solver, int impacts, double *allowed)
     return deepest;
 }
 
-static void a_curved_chain_holds(void **state)
+TEST(a_curved_chain_holds)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++) {
         if (strcmp(wfSolverTable[solver].name, "exact") == 0) continue;
         double allowed, deepest = deepest_in_hall(solver, 4096, &allowed);
@@ -519,13 +500,12 @@ static void a_curved_chain_holds(void **state)
 
 /* ---- limits are told ---- */
 
-static void too_many_impacts_are_reported(void **state)
+TEST(too_many_impacts_are_reported)
 {
-    (void)state;
     for (int most = 1; most <= 4; most++) {
         wfWorldDef def = calm("soft");
         def.maxImpacts = most;
-        wfWorld w = open_world(&def);
+        wfWorld w = world_with(&def);
         wfBodyDef left = wall_of(0.2, 2), right = left, bd = body_of(0, 0.05);
         left.position = wfV2(-WF_R(0.6), 0), right.position = wfV2(WF_R(0.6), 0);
         left.restitution = right.restitution = bd.restitution = 1;
@@ -545,13 +525,12 @@ static void too_many_impacts_are_reported(void **state)
 
 /* Galperin's billiard in one step and a bit: a wall, a disc at rest, and one that is 100^2 times as heavy. They collide 314 times; impacts
  * do not lose one, and the velocities are those of the same collisions one by one. With sixteen for each body, they are not. */
-static void three_hundred_and_fourteen(void **state)
+TEST(three_hundred_and_fourteen)
 {
-    (void)state;
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = calm("soft");
         if (k == 1) def.maxImpacts = 16;
-        wfWorld w = open_world(&def);
+        wfWorld w = world_with(&def);
         wfBodyDef wall = wall_of(1, 10), light = body_of(0, 0.5), heavy = light;
         wall.position = wfV2(-WF_R(0.5), 0), light.position = wfV2(1, 0), heavy.position = wfV2(WF_R(2.5), 0);
         wall.restitution = light.restitution = heavy.restitution = 1;
@@ -581,12 +560,11 @@ static void three_hundred_and_fourteen(void **state)
 }
 
 /* A light ball between two heavy blocks that come at each other: more collisions than a step has room for. It waits, and is told of. */
-static void a_step_has_room_for_so_many(void **state)
+TEST(a_step_has_room_for_so_many)
 {
-    (void)state;
     wfWorldDef def = calm("soft");
     def.maxImpacts = 1000000;
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfBodyDef left = body_of(1, 1), right = left, ball = body_of(0, 0.05);
     left.type = right.type = WF_KINEMATIC, ball.restitution = left.restitution = right.restitution = 1;
     left.position = wfV2(-WF_R(1.1), 0), right.position = wfV2(WF_R(1.1), 0);
@@ -602,14 +580,13 @@ static void a_step_has_room_for_so_many(void **state)
 /* Two thousand small discs and boxes fall upon a floor, at 30 m/s, in a narrow room: where they land, each strikes all below it. A step
  * uses up its room; the next is a crowd's, and does not. None leaves the room. (With walls of 2 cm one is *pressed* through the floor, at
  * 5 cm/s, by what lies on it: that is the softness of contacts and not speed.) */
-static void a_crowd_stays_in_its_room(void **state)
+TEST(a_crowd_stays_in_its_room)
 {
-    (void)state;
     int outside = 0, spent = 0, crowded = 0;
     bool full = false;
     wfWorldDef def = calm("soft");
     def.bodyCapacity = 2004, def.advanced.pairCapacity = 200000, def.gravity = wfV2(0, -10);
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     for (int i = 0; i < 4; i++) {
         wfBodyDef wall = wall_of(i < 2 ? 0.2 : 11, i < 2 ? 21 : 0.2);
         wall.position = i < 2 ? wfV2(i == 0 ? 5 : -5, 10) : wfV2(0, i == 2 ? 20 : 0);
@@ -637,12 +614,11 @@ static void a_crowd_stays_in_its_room(void **state)
     assert_int_equal(outside, 0);
 }
 
-static void settings_are_checked_and_kept(void **state)
+TEST(settings_are_checked_and_kept)
 {
-    (void)state;
     wfWorldDef def = calm(NULL), got;
     assert_int_equal(def.maxImpacts, 4096);
-    wfWorld w = open_world(&def), none = { 0 };
+    wfWorld w = world_with(&def), none = { 0 };
     wfContinuousReport r;
     assert_result(WF_ERROR_NULL, wfGetContinuousReport(&w, NULL));
     assert_result(WF_ERROR_NULL, wfGetContinuousReport(NULL, &r));
@@ -663,13 +639,12 @@ static void settings_are_checked_and_kept(void **state)
 }
 
 /* A step that fails behind its impacts leaves every byte as it was: there is room for one touch, and two are struck. */
-static void a_step_that_fails_changes_nothing(void **state)
+TEST(a_step_that_fails_changes_nothing)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++) {
         wfWorldDef def = calm(wfSolverTable[solver].name);
         def.advanced.pairCapacity = 1;
-        wfWorld w = open_world(&def);
+        wfWorld w = world_with(&def);
         wfBodyDef wall = wall_of(0.02, 10), bullet = body_of(0, 0.05);
         add(&w, wall);
         for (int i = 0; i < 2; i++) {
@@ -692,7 +667,7 @@ static uint64_t gas(const char *broad, const char *solver, uint32_t without, int
     def.modules &= ~without;
     def.bodyCapacity = 64;
     def.advanced.broadPhase = wfFindBroadPhase(broad);
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfRandom r;
     wfRandomSeed(&r, 25);
     for (int i = 0; i < 4; i++) {
@@ -724,9 +699,8 @@ static uint64_t gas(const char *broad, const char *solver, uint32_t without, int
 
 /* Forty bullets of all kinds in a room, hundreds of impacts: nobody gets out, and the order in which a broad phase finds them does not matter. */
 /* Who asks for areas has other boxes in the world than who does not: impacts may not depend on them. */
-static void impacts_do_not_depend_on_queries(void **state)
+TEST(impacts_do_not_depend_on_queries)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++) {
         const char *name = wfSolverTable[solver].name;
         wfContinuousReport with = { 0, 0, 0 }, without = { 0, 0, 0 };
@@ -736,9 +710,8 @@ static void impacts_do_not_depend_on_queries(void **state)
     }
 }
 
-static void a_room_of_bullets_is_the_same_for_all_broad_phases(void **state)
+TEST(a_room_of_bullets_is_the_same_for_all_broad_phases)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver += 2) {
         wfContinuousReport sum = { 0, 0, 0 }, other;
         uint64_t first = gas(wfBroadPhaseTable[0].name, wfSolverTable[solver].name, 0, 20, &sum);
@@ -771,9 +744,8 @@ static Duel random_duel(wfRandom *r, wfVec2 middle)
 }
 
 /* Whom a flight meets doesn't depend on how many others fly: each duel ends as it does in a world of its own, to the last bit. */
-static void a_duel_among_many_ends_as_it_does_alone(void **state)
+TEST(a_duel_among_many_ends_as_it_does_alone)
 {
-    (void)state;
     wfRandom r = random_stream(91);
     static Duel duels[DUELS];
     static wfBodyId id[2 * DUELS];
@@ -781,7 +753,7 @@ static void a_duel_among_many_ends_as_it_does_alone(void **state)
     for (int shape = 0; shape < 3; shape++) {
         wfWorldDef def = calm(NULL);
         def.bodyCapacity = 2 * DUELS;
-        wfWorld all = open_world(&def);
+        wfWorld all = world_with(&def);
         def.bodyCapacity = 2;
         for (int k = 0; k < DUELS; k++) {
             int x = shape == 0 ? k : shape == 1 ? 0 : k % 16, y = shape == 1 ? k : shape == 2 ? k / 16 : 0;
@@ -791,7 +763,7 @@ static void a_duel_among_many_ends_as_it_does_alone(void **state)
         assert_ok(wfStepWorld(&all));
         assert_true(report(&all).bodies > DUELS);
         for (int k = 0; k < DUELS; k++) {
-            wfWorld alone = open_world(&def);
+            wfWorld alone = world_with(&def);
             wfBodyId one[2] = { add(&alone, duels[k].body[0]), add(&alone, duels[k].body[1]) };
             assert_ok(wfStepWorld(&alone));
             met += report(&alone).impacts;
@@ -806,31 +778,4 @@ static void a_duel_among_many_ends_as_it_does_alone(void **state)
         wfDestroyWorld(&all);
     }
     assert_true(met > 100);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_gets_through),
-        cmocka_unit_test(without_impacts_all_gets_through),
-        cmocka_unit_test(a_duel_among_many_ends_as_it_does_alone),
-        cmocka_unit_test(a_corner_is_passed_without_a_ghost),
-        cmocka_unit_test(who_may_not_meet_is_not_stopped),
-        cmocka_unit_test(an_impact_is_newtons),
-        cmocka_unit_test(a_ball_between_walls_loses_no_time),
-        cmocka_unit_test(a_spinning_rod_hits_a_peg),
-        cmocka_unit_test(a_kinematic_door_sweeps_all),
-        cmocka_unit_test(a_row_of_boxes_is_hit),
-        cmocka_unit_test(who_is_struck_on_the_floor_stays_above_it),
-        cmocka_unit_test(seams_are_no_bumps), cmocka_unit_test(a_curved_chain_holds),
-        cmocka_unit_test(too_many_impacts_are_reported),
-        cmocka_unit_test(three_hundred_and_fourteen),
-        cmocka_unit_test(a_step_has_room_for_so_many),
-        cmocka_unit_test(a_crowd_stays_in_its_room),
-        cmocka_unit_test(settings_are_checked_and_kept),
-        cmocka_unit_test(a_step_that_fails_changes_nothing),
-        cmocka_unit_test(a_room_of_bullets_is_the_same_for_all_broad_phases),
-        cmocka_unit_test(impacts_do_not_depend_on_queries),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

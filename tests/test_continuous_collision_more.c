@@ -4,26 +4,10 @@
 #include "world.h"
 #include "weft/weft.h"
 
-static wfWorld open_world(const wfWorldDef *def)
-{
-    wfWorld w;
-    assert_ok(wfCreateWorld(def, &w));
-    return w;
-}
-
-static wfBodyDef box_def(double x, double y, double hx, double hy)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y);
-    assert_ok(wfMakeBox((wfReal)hx, (wfReal)hy, &def.shape));
-    return def;
-}
-
 /* A rod of 10 m, nearly upright and turning, falls on the ground. Contacts may be as deep as the slop, and what is not stopped as the outer
  * layer, a quarter of the inner radius (eq:impact-inner). A copy that was shrunk towards the centroid let it sink by .14 to .56 m. */
-static void thin_rods_do_not_sink(void **state)
+TEST(thin_rods_do_not_sink)
 {
-    (void)state;
     const double speeds[] = { 0, 5, 20, 50 }, halves[] = { 0.005, 0.02, 0.05, 0.1 }, rates[] = { 60, 240 };
     for (int v = 0; v < 4; v++)
         for (int t = 0; t < 4; t++)
@@ -31,7 +15,7 @@ static void thin_rods_do_not_sink(void **state)
                 wfWorldDef def = wfDefaultWorldDef();
                 double half = halves[t], deepest = 0, slop = (double)def.advanced.slop * hypot(5, half);
                 def.timeStep = 1 / (wfReal)rates[r];
-                wfWorld w = open_world(&def);
+                wfWorld w = world_with(&def);
                 add(&w, floor_def());
                 wfBodyDef rod = box_def(0, 12, 5, half);
                 rod.angle = WF_PI / 2 - WF_R(0.3) + WF_R(0.05) * (wfReal)t;
@@ -58,7 +42,7 @@ static bool house_stands(int storeys, int rate, const char *solver, double lift)
     double y = 0.18 + lift, first = 0, tilt = 25 * (double)WF_PI / 180;
     bool stands = true;
     def.timeStep = 1 / (wfReal)rate, def.solver = wfFindSolver(solver);
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfBodyDef ground = floor_def();
     ground.friction = WF_R(0.7);
     add(&w, ground);
@@ -83,9 +67,8 @@ static bool house_stands(int storeys, int rate, const char *solver, double lift)
 
 /* Box2D's house. Since a card is fast at 6 cm/s, it was followed while it settled, and houses fell: the fifth storey at 60 Hz, with the solver "exact"
  * the third. A single house is chance: sixteen begin a hundredth of a millimetre apart. */
-static void houses_of_cards_stand(void **state)
+TEST(houses_of_cards_stand)
 {
-    (void)state;
     for (int storeys = 3; storeys <= 6; storeys++)
         for (int i = 0; i < 16; i++) assert_true(house_stands(storeys, 60, "soft", 1e-5 * i));
     for (int i = 0; i < 4; i++) {
@@ -100,7 +83,7 @@ static double opened(const char *kind, double v, int phase, int impacts)
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.maxImpacts = impacts;
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfBodyId id[4];
     wfJoint joint[4];
     bool rods = kind[0] == 'd';
@@ -130,9 +113,8 @@ static double opened(const char *kind, double v, int phase, int impacts)
 
 /* No farther than without this stage. (Followed one by one, two hinged bars came 25 cm apart at
  * 32 m/s; the solver gives 4 cm.) */
-static void joints_open_no_farther_than_without(void **state)
+TEST(joints_open_no_farther_than_without)
 {
-    (void)state;
     static const char *kinds[] = { "revolute", "distance", "weld" };
     for (int k = 0; k < 3; k++)
         for (double v = 2; v < 60; v *= 2)
@@ -146,7 +128,7 @@ static bool one_gets_through(const char *kind, double rate, bool discs, bool hea
 {
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, 0), def.bodyCapacity = 8, def.timeStep = 1 / (wfReal)rate;
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfBodyDef wall = box_def(0, 0, 0.05, 20);
     wall.type = heavy ? WF_DYNAMIC : WF_STATIC, wall.density = heavy ? 100 : 1;
     wfBodyId id[3], stop = add(&w, wall);
@@ -175,9 +157,8 @@ static bool one_gets_through(const char *kind, double rate, bool discs, bool hea
 }
 
 /* From 20 phases, at two rates, by the kinds of joint that hold points together; the wall is static or heavy. */
-static void machines_do_not_get_through(void **state)
+TEST(machines_do_not_get_through)
 {
-    (void)state;
     static const char *const kinds[] = { "revolute", "distance", "weld", "wheel" };
     for (int kind = 0; kind < 4; kind++)
         for (int fine = 0; fine < 2; fine++)
@@ -189,9 +170,8 @@ static void machines_do_not_get_through(void **state)
 
 /* Discs, boxes, thin rods that go from a tenth of their reach to twice it in a step, and turn, fly at a thin wall from anywhere: those that are
  * followed and those that are rows of the solver. Nobody gets through, and energy never grows (a rounding each step). */
-static void at_every_pace_nobody_gets_through(void **state)
+TEST(at_every_pace_nobody_gets_through)
 {
-    (void)state;
     enum { FLIGHTS = 1200, STEPS = 30 };
     wfRandom r = random_stream(2611);
     for (int n = 0; n < FLIGHTS; n++) {
@@ -199,7 +179,7 @@ static void at_every_pace_nobody_gets_through(void **state)
         wfWorldDef def = wfDefaultWorldDef();
         double rate = n % 2 == 0 ? 60 : 240, half = n % 3 == 0 ? 0.3 : n % 3 == 1 ? 0.002 : 0.02, kinetic, potential;
         def.gravity = wfV2(0, 0), def.bodyCapacity = 4, def.timeStep = 1 / (wfReal)rate;
-        wfWorld w = open_world(&def);
+        wfWorld w = world_with(&def);
         wfBodyDef wall = box_def(0, 0, 0.0005, 40), body = n % 4 == 0 ? ball_def(0, 0, 0.3) : box_def(0, 0, 0.3, half);
         double pace = (double)wfRandomReal(&r, WF_R(0.1), 2), turn = (double)wfRandomReal(&r, WF_R(-0.8), WF_R(0.8));
         wall.type = n % 5 == 0 ? WF_DYNAMIC : WF_STATIC, wall.density = 1000;
@@ -223,16 +203,15 @@ static void at_every_pace_nobody_gets_through(void **state)
 /* A packing of discs, boxes and rods, which press each other, is flung at a wall at .2 to 12 of its bodies' reaches a step: some of them are rows,
  * some are followed, some are both within one step. No centre gets to the middle of a
  * wall of 20 cm, and no energy comes (a rounding each step for each body). */
-static void what_presses_stays_in_its_room(void **state)
+TEST(what_presses_stays_in_its_room)
 {
-    (void)state;
     enum { ROOMS = 160, N = 36 };
     wfRandom r = random_stream(2711);
     for (int n = 0; n < ROOMS; n++) {
         wfWorldDef def = wfDefaultWorldDef();
         double rate = n % 2 == 0 ? 60 : 240, half = n % 3 == 0 ? 0.1 : n % 3 == 1 ? 0.05 : 0.01, kinetic, potential, before;
         def.gravity = wfV2(0, 0), def.bodyCapacity = N + 4, def.timeStep = 1 / (wfReal)rate;
-        wfWorld w = open_world(&def);
+        wfWorld w = world_with(&def);
         wfBodyId id[N];
         for (int i = 0; i < 4; i++) {
             wfBodyDef wall = i < 2 ? box_def(i == 0 ? -2.1 : 2.1, 0, 0.1, 2.2) : box_def(0, i == 2 ? -2.1 : 2.1, 2.2, 0.1);
@@ -268,13 +247,12 @@ static void what_presses_stays_in_its_room(void **state)
 }
 
 /* A gas of a thousand discs at 200 m/s in a box: more impacts than a step has room for, and no step is refused, nobody is outside, no energy comes. */
-static void a_dense_gas_is_no_error(void **state)
+TEST(a_dense_gas_is_no_error)
 {
-    (void)state;
     enum { N = 1000, ROW = 32 };
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, 0), def.bodyCapacity = N + 4;
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfRandom r = random_stream(2505);
     wfBodyId id[N];
     double side = 16, before = 0, kinetic, potential;
@@ -302,18 +280,4 @@ static void a_dense_gas_is_no_error(void **state)
         assert_true(p.x > 0 && (double)p.x < side && p.y > 0 && (double)p.y < side);
     }
     wfDestroyWorld(&w);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(thin_rods_do_not_sink),
-        cmocka_unit_test(houses_of_cards_stand),
-        cmocka_unit_test(joints_open_no_farther_than_without),
-        cmocka_unit_test(machines_do_not_get_through),
-        cmocka_unit_test(at_every_pace_nobody_gets_through),
-        cmocka_unit_test(what_presses_stays_in_its_room),
-        cmocka_unit_test(a_dense_gas_is_no_error),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

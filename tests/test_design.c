@@ -1,13 +1,6 @@
 /* The display list, the figure table, the measurement table.
  * Everything here is exact: the list stores what it is given, so no tolerances are needed. */
-#include <stdarg.h>
-#include <stddef.h>
-#include <setjmp.h>
-#include <stdint.h>
-#include <cmocka.h>
-#include <math.h>
-#include <stdio.h>
-#include <string.h>
+#include "testing.h"
 #include "weft/draw.h"
 #include "lab/lab.h"
 
@@ -33,9 +26,8 @@ static void assert_command(const wfDraw *d, int i, int kind, int line, int fill,
     assert_int_equal(c->count, count);
 }
 
-static void a_new_list_is_empty(void **state)
+TEST(a_new_list_is_empty)
 {
-    (void)state;
     wfDraw d = new_list();
     assert_int_equal(d.count, 0);
     assert_int_equal(d.overflow, 0);
@@ -45,9 +37,8 @@ static void a_new_list_is_empty(void **state)
     assert_true(d.view[0] == 0 && d.view[1] == 0 && d.view[2] == 1 && d.view[3] == 1);
 }
 
-static void each_call_stores_its_command(void **state)
+TEST(each_call_stores_its_command)
 {
-    (void)state;
     wfDraw d = new_list();
     wfDrawPoint(&d, 1, 2, 4, WF_INK_ACCENT);
     wfDrawLine(&d, 1, 2, 3, 4, 1.5f, WF_INK_LINE);
@@ -84,9 +75,8 @@ static void each_call_stores_its_command(void **state)
     assert_int_equal(wfDrawAt(&d, 0)->length, 0);
 }
 
-static void the_list_keeps_copies(void **state)
+TEST(the_list_keeps_copies)
 {
-    (void)state;
     wfDraw d = new_list();
     char text[8] = "before";
     float xy[6] = { 0, 0, 1, 0, 0, 1 };
@@ -98,9 +88,8 @@ static void the_list_keeps_copies(void **state)
     assert_true(wfDrawPoints(&d, wfDrawAt(&d, 1))[2] == 1);
 }
 
-static void text_is_formatted_and_cut(void **state)
+TEST(text_is_formatted_and_cut)
 {
-    (void)state;
     wfDraw d = new_list();
     wfDrawTextf(&d, 0, 0, 13, WF_INK_TEXT, -7, "h = %.2f s", 0.5);
     assert_string_equal(wfDrawString(&d, wfDrawAt(&d, 0)), "h = 0.50 s");
@@ -114,9 +103,8 @@ static void text_is_formatted_and_cut(void **state)
 }
 
 /* A list is bytes without pointers: copied elsewhere, it says the same. */
-static void a_list_can_be_moved(void **state)
+TEST(a_list_can_be_moved)
 {
-    (void)state;
     static _Alignas(8) unsigned char elsewhere[sizeof memory];
     wfDraw d = new_list();
     wfDrawText(&d, 1, 2, 13, WF_INK_TEXT, 0, "moved");
@@ -128,9 +116,8 @@ static void a_list_can_be_moved(void **state)
     assert_true(wfDrawPoints(&d, wfDrawAt(&d, 1))[3] == 4);
 }
 
-static void bytes_are_counted(void **state)
+TEST(bytes_are_counted)
 {
-    (void)state;
     wfDraw d = new_list();
     wfDrawLine(&d, 0, 0, 1, 1, 1, WF_INK_LINE);
     assert_int_equal(wfDrawBytes(&d), sizeof(wfDrawCommand) + 4 * sizeof(float));
@@ -141,9 +128,8 @@ static void bytes_are_counted(void **state)
     assert_int_equal(d.count, 0);
 }
 
-static void reset_forgets_counts_and_view(void **state)
+TEST(reset_forgets_counts_and_view)
 {
-    (void)state;
     wfDraw d = new_list();
     wfDrawView(&d, 1, 2, 3, 4);
     wfDrawView(&d, 1, 2, 1, 4);
@@ -156,9 +142,8 @@ static void reset_forgets_counts_and_view(void **state)
     assert_int_equal(d.size, sizeof memory);
 }
 
-static void overflow_is_counted_and_nothing_is_lost(void **state)
+TEST(overflow_is_counted_and_nothing_is_lost)
 {
-    (void)state;
     static _Alignas(8) unsigned char small[4 * 40 + 16];  /* four lines of 40 bytes, and a rest */
     wfDraw d;
     wfDrawInit(&d, small, sizeof small);
@@ -177,9 +162,8 @@ static void overflow_is_counted_and_nothing_is_lost(void **state)
     for (int i = 0; i < 4; i++) assert_true(wfDrawPoints(&d, wfDrawAt(&d, i))[0] == (float)i);
 }
 
-static void the_last_byte_can_be_used(void **state)
+TEST(the_last_byte_can_be_used)
 {
-    (void)state;
     static _Alignas(8) unsigned char small[40];
     wfDraw d;
     wfDrawInit(&d, small, sizeof small);
@@ -190,9 +174,8 @@ static void the_last_byte_can_be_used(void **state)
     assert_true(wfDrawPoints(&d, wfDrawAt(&d, 0))[0] == 1);
 }
 
-static void a_small_command_may_follow_a_large_one(void **state)
+TEST(a_small_command_may_follow_a_large_one)
 {
-    (void)state;
     static _Alignas(8) unsigned char small[48];
     float many[40] = { 0 };
     wfDraw d;
@@ -203,9 +186,8 @@ static void a_small_command_may_follow_a_large_one(void **state)
     assert_int_equal(d.count, 1);
 }
 
-static void any_memory_will_do(void **state)
+TEST(any_memory_will_do)
 {
-    (void)state;
     wfDraw d;
     wfDrawInit(&d, NULL, 100);
     assert_int_equal(d.size, 0);
@@ -228,9 +210,8 @@ static void any_memory_will_do(void **state)
         }
 }
 
-static void bad_numbers_are_refused(void **state)
+TEST(bad_numbers_are_refused)
 {
-    (void)state;
     const float bad[5] = { NAN, INFINITY, -INFINITY, 1.001e9f, -1.001e9f };
     wfDraw d = new_list();
     int expected = 0;
@@ -263,9 +244,8 @@ static void bad_numbers_are_refused(void **state)
     assert_int_equal(d.count, 1);
 }
 
-static void bad_arguments_are_refused(void **state)
+TEST(bad_arguments_are_refused)
 {
-    (void)state;
     wfDraw d = new_list();
     const int bad[6] = { -2, WF_INK_COUNT, 127, 255, 256, -1000000 };
     for (int k = 0; k < 6; k++) {
@@ -292,9 +272,8 @@ static void bad_arguments_are_refused(void **state)
     assert_int_equal(d.count, 3);
 }
 
-static void views_must_have_a_size(void **state)
+TEST(views_must_have_a_size)
 {
-    (void)state;
     wfDraw d = new_list();
     wfDrawView(&d, -1, -2, 3, 4);
     wfDrawView(&d, 0, 0, 0, 1);
@@ -312,9 +291,8 @@ static void views_must_have_a_size(void **state)
     assert_true(d.view[2] == WF_DRAW_SMALLEST && d.view[3] == WF_DRAW_SMALLEST);
 }
 
-static void roles_have_names(void **state)
+TEST(roles_have_names)
 {
-    (void)state;
     assert_string_equal(wfInkName(WF_INK_LINE), "line");
     assert_string_equal(wfInkName(WF_INK_BODY2), "body2");
     assert_string_equal(wfInkName(WF_INK_PAPER), "paper");
@@ -325,9 +303,8 @@ static void roles_have_names(void **state)
 }
 
 /* Every figure of the book, whichever chapter it is from. */
-static void every_figure_can_be_drawn(void **state)
+TEST(every_figure_can_be_drawn)
 {
-    (void)state;
     static _Alignas(8) unsigned char large[1 << 22];
     wfDraw d;
     wfDrawInit(&d, large, sizeof large);
@@ -356,9 +333,8 @@ static void look(wfDraw *d, const wfFigureInput *in)
     wfDrawPoint(d, 0, 0, 1, WF_INK_LINE);
 }
 
-static void a_figure_sees_its_handles(void **state)
+TEST(a_figure_sees_its_handles)
 {
-    (void)state;
     wfDraw d = new_list();
     wfFigureRow row = { "look", look, 6, 4, 2, { { 1, 2 }, { 3, 4 } } };
     wfDrawFigure(&row, NULL, &d);
@@ -370,9 +346,8 @@ static void a_figure_sees_its_handles(void **state)
     assert_int_equal(d.count, 1);  /* the list was emptied first */
 }
 
-static void measurements_have_names(void **state)
+TEST(measurements_have_names)
 {
-    (void)state;
     const wfMeasureRow *m;
     assert_non_null(wfMeasureAt(0));
     assert_null(wfMeasureAt(-1));
@@ -387,9 +362,8 @@ static void measurements_have_names(void **state)
     assert_false(wfMeasurementIsTimed("overtime"));
 }
 
-static void the_list_is_measured(void **state)
+TEST(the_list_is_measured)
 {
-    (void)state;
     char text[512] = "", want[512];
     FILE *out = tmpfile();
     assert_non_null(out);
@@ -402,21 +376,4 @@ static void the_list_is_measured(void **state)
     snprintf(want, sizeof want, "command,bytes\npoint,%zu\nline,%zu\ncircle,%zu\npolygon of 4 corners,%zu\ntext of 10 letters,%zu\n",
              c + 8, c + 16, c + 8, c + 32, c + 8 + 16);
     assert_string_equal(text, want);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_new_list_is_empty), cmocka_unit_test(each_call_stores_its_command),
-        cmocka_unit_test(the_list_keeps_copies), cmocka_unit_test(text_is_formatted_and_cut),
-        cmocka_unit_test(a_list_can_be_moved), cmocka_unit_test(bytes_are_counted),
-        cmocka_unit_test(reset_forgets_counts_and_view), cmocka_unit_test(overflow_is_counted_and_nothing_is_lost),
-        cmocka_unit_test(the_last_byte_can_be_used), cmocka_unit_test(a_small_command_may_follow_a_large_one),
-        cmocka_unit_test(any_memory_will_do), cmocka_unit_test(bad_numbers_are_refused),
-        cmocka_unit_test(bad_arguments_are_refused), cmocka_unit_test(views_must_have_a_size),
-        cmocka_unit_test(roles_have_names), cmocka_unit_test(every_figure_can_be_drawn),
-        cmocka_unit_test(a_figure_sees_its_handles), cmocka_unit_test(measurements_have_names),
-        cmocka_unit_test(the_list_is_measured),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -240,9 +240,8 @@ static void assert_coulomb(double tolerance)
 
 /* Without forces the impulses of a step are those of its first half kick, which are written down as if for a whole step: the last
    half kick finds that there is nothing to do. */
-static void test_every_combination(void **unused)
+TEST(test_every_combination)
 {
-    (void)unused;
     wfRandom r = random_stream(19);
     int unsolved = 0, none = 0, other = 0;
     for (int round = 0; round < 250; round++) {
@@ -292,9 +291,8 @@ static void assert_laws(double tolerance)
     }
 }
 
-static void test_random_graphs(void **unused)
+TEST(test_random_graphs)
 {
-    (void)unused;
     wfRandom r = random_stream(4);
     int solved = 0, unsolved = 0;
     for (int round = 0; round < 40; round++) {
@@ -330,9 +328,8 @@ static double kinetic(void)
 }
 
 /* Free bodies keep momentum, and friction never adds energy, solved or not. */
-static void test_momentum_and_energy(void **unused)
+TEST(test_momentum_and_energy)
 {
-    (void)unused;
     wfRandom r = random_stream(8);
     for (int round = 0; round < 40; round++) {
         random_bodies(&r, 16, 1);
@@ -350,9 +347,8 @@ static void test_momentum_and_energy(void **unused)
 }
 
 /* Everybody touches everybody: there is no room for such a matrix. It says so, and the sweeps do what they can. */
-static void test_no_room(void **unused)
+TEST(test_no_room)
 {
-    (void)unused;
     wfRandom r = random_stream(2);
     wfPool pool;
     random_bodies(&r, 36, 1);
@@ -375,9 +371,8 @@ static void test_no_room(void **unused)
     assert_true(kinetic() <= energy);
 }
 
-static void test_too_little_scratch(void **unused)
+TEST(test_too_little_scratch)
 {
-    (void)unused;
     wfRandom r = random_stream(5);
     wfPool pool;
     random_bodies(&r, 10, 1);
@@ -487,9 +482,8 @@ static void stand_on(int i)
 }
 
 /* A cold tower: it stands from the first step on, though nobody has told it the weights. */
-static void test_tower(void **unused)
+TEST(test_tower)
 {
-    (void)unused;
     wfRandom r = random_stream(7);
     clear_boxes();
     for (int i = 0; i < 200; i++) add_box((double)wfRandomReal(&r, WF_R(-0.01), WF_R(0.01)), i + 0.5, 1, 1, 1);
@@ -510,9 +504,8 @@ static void test_tower(void **unused)
     assert_true(report.iterations <= 2 * 5);                            /* warm: one system for each of five problems, or two */
 }
 
-static void test_heavy_on_light(void **unused)
+TEST(test_heavy_on_light)
 {
-    (void)unused;
     for (double ratio = 1; ratio < 2e6; ratio *= 1000) {
         clear_boxes();
         add_box(0, 0.5, 1, 1, 1);
@@ -524,9 +517,8 @@ static void test_heavy_on_light(void **unused)
 }
 
 /* A wall of bricks: more contacts than can be told apart by statics. The floor bears the weight all the same. */
-static void test_more_contacts_than_equations(void **unused)
+TEST(test_more_contacts_than_equations)
 {
-    (void)unused;
     clear_boxes();
     int high = 5;
     for (int y = 0; y < high; y++)
@@ -540,9 +532,8 @@ static void test_more_contacts_than_equations(void **unused)
 }
 
 /* On a slope of a little less and a little more than the slip angle; and how far a box slides. */
-static void test_friction_of_a_box(void **unused)
+TEST(test_friction_of_a_box)
 {
-    (void)unused;
     for (int side = 0; side < 2; side++) {
         clear_boxes();
         push = side == 0 ? WF_R(0.4999) : WF_R(0.5001);
@@ -558,9 +549,8 @@ static void test_friction_of_a_box(void **unused)
     assert_near(state[1].p.x, 100 / (2 * 0.5 * 9.81), 0.0005 * 10.19);  /* 0.05 %, what issue 4 asks */
 }
 
-static void test_belt_and_rolling(void **unused)
+TEST(test_belt_and_rolling)
 {
-    (void)unused;
     clear_boxes();
     bodies = 2;
     assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &shape[1]));
@@ -585,9 +575,8 @@ static void test_belt_and_rolling(void **unused)
 }
 
 /* A ball that is about to bounce, and less than a millionth above the floor when the step ends, must not be stopped before. */
-static void test_speed_is_kept_for_the_bounce(void **unused)
+TEST(test_speed_is_kept_for_the_bounce)
 {
-    (void)unused;
     clear_boxes();
     bodies = 2;
     assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &shape[1]));
@@ -602,9 +591,8 @@ static void test_speed_is_kept_for_the_bounce(void **unused)
 }
 
 /* A box found in the floor is lifted out without a velocity. */
-static void test_overlap(void **unused)
+TEST(test_overlap)
 {
-    (void)unused;
     clear_boxes();
     add_box(0, 0.3, 1, 1, 1);
     double highest = 0, fastest = 0;
@@ -620,9 +608,8 @@ static void test_overlap(void **unused)
 }
 
 /* It never ends in more energy than it began with, whatever is solved and whatever is not. */
-static void test_heaps_lose_energy(void **unused)
+TEST(test_heaps_lose_energy)
 {
-    (void)unused;
     wfRandom r = random_stream(3);
     clear_boxes();
     add_box(-4, 3, 2, 10, 0), add_box(4, 3, 2, 10, 0);
@@ -683,9 +670,8 @@ static bool obey_the_joints(void)
 
 /* Joints and contacts in one system, against all combinations in a dense matrix: a joint's rows always hold. Bodies shared by both
    couple them, and masses differ up to 10^4 times. */
-static void test_every_combination_with_joints(void **unused)
+TEST(test_every_combination_with_joints)
 {
-    (void)unused;
     wfRandom r = random_stream(21);
     int unsolved = 0, none = 0, other = 0, apart = 0, all = 0;
     for (int round = 0; round < 400; round++) {
@@ -710,9 +696,8 @@ static void test_every_combination_with_joints(void **unused)
 
 /* Everybody overlaps everybody, at random. Whatever the budget, no step spends more; what it ends is told, and nobody flies off faster
    than contacts that push by sweeps let them. Without a bound it takes more than the least budget. */
-static void test_the_budget_is_kept(void **unused)
+TEST(test_the_budget_is_kept)
 {
-    (void)unused;
     const int budget[] = { 1, 10, 0 };
     for (int n = 0; n < 3; n++) {
         wfRandom r = random_stream(3);
@@ -738,17 +723,4 @@ static void test_the_budget_is_kept(void **unused)
         if (n == 2) assert_true(cut == 0 && most > 1);
         for (int i = 1; i < bodies; i++) assert_true(wfLength(state[i].v) < 10);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_combination), cmocka_unit_test(test_every_combination_with_joints), cmocka_unit_test(test_random_graphs), cmocka_unit_test(test_momentum_and_energy),
-        cmocka_unit_test(test_no_room), cmocka_unit_test(test_too_little_scratch), cmocka_unit_test(test_tower),
-        cmocka_unit_test(test_heavy_on_light), cmocka_unit_test(test_more_contacts_than_equations),
-        cmocka_unit_test(test_friction_of_a_box), cmocka_unit_test(test_belt_and_rolling), cmocka_unit_test(test_speed_is_kept_for_the_bounce),
-        cmocka_unit_test(test_overlap),
-        cmocka_unit_test(test_heaps_lose_energy), cmocka_unit_test(test_the_budget_is_kept),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

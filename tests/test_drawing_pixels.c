@@ -70,9 +70,8 @@ static void render(const wfDraw *d, frame_buffer *f) { wfRenderList(d, NULL, &wf
 
 /* ---- what the back ends share ---- */
 
-static void the_view_is_fitted_and_flipped(void **state)
+TEST(the_view_is_fitted_and_flipped)
 {
-    (void)state;
     const float view[4] = { -2, 1, 6, 5 };       /* 8 by 4 */
     wfPixelMap m = wfMapView(view, 800, 600);    /* scale 100; 200 px left over in y */
     assert_near(m.scale, 100, 0);
@@ -90,9 +89,8 @@ static void the_view_is_fitted_and_flipped(void **state)
     assert_near(wfWorldY(m, wfPixelY(m, 3.75f)), 3.75f, 1e-6);
 }
 
-static void arrows_have_a_tip_and_two_barbs(void **state)
+TEST(arrows_have_a_tip_and_two_barbs)
 {
-    (void)state;
     wfArrow a = wfMakeArrow(10, 20, 110, 20, 2);  /* head: 6 + 2.5 * 2 = 11 */
     assert_near(a.head[0], 110, 0);
     assert_near(a.head[1], 20, 0);
@@ -128,9 +126,8 @@ static void arrows_have_a_tip_and_two_barbs(void **state)
     for (int i = 0; i < 6; i++) assert_near(a.head[i], i % 2 ? 4 : 3, 0);
 }
 
-static void utf8_is_read_and_bad_bytes_are_replaced(void **state)
+TEST(utf8_is_read_and_bad_bytes_are_replaced)
 {
-    (void)state;
     static const struct { const char *text; uint32_t letters[6]; } cases[] = {
         { "aZ", { 'a', 'Z', 0 } },
         { "\xc3\xa9\xe2\x8a\xa5\xf0\x9f\x98\x80", { 0xe9, 0x22a5, 0x1f600, 0 } },
@@ -182,9 +179,8 @@ static double contrast(wfInk a, wfInk b)
 }
 
 /* The guidelines ask 4.5 for text and 3 for lines. */
-static void inks_stand_out_from_the_paper(void **state)
+TEST(inks_stand_out_from_the_paper)
 {
-    (void)state;
     const wfPalette *palettes[2] = { &wfLightPalette, &wfDarkPalette };
     for (int i = 0; i < 2; i++) {
         const wfPalette *p = palettes[i];
@@ -302,9 +298,8 @@ static int random_polygon(wfRandom *r, float *xy, double *px, double size)
 
 /* An edge's x below 40 is rounded to a float: 1.9e-6 at most. A flat edge leaves two numbers in each of 40 pixels, which
  * are rounded when they are made, added and summed up, each time by 2^-24 at most: 120 * 6e-8 = 7.2e-6. Together 1e-5. */
-static void polygons_are_covered_exactly(void **state)
+TEST(polygons_are_covered_exactly)
 {
-    (void)state;
     wfRandom r = random_stream(2801);
     for (int trial = 0; trial < 400; trial++) {
         float xy[32];
@@ -320,9 +315,8 @@ static void polygons_are_covered_exactly(void **state)
 }
 
 /* An area that ends exactly at the end of a row, begins exactly at its beginning, or does both is full to its end. */
-static void areas_may_end_where_the_row_ends(void **state)
+TEST(areas_may_end_where_the_row_ends)
 {
-    (void)state;
     for (int k = 0; k < 9; k++) {
         float left = (float)(k % 3) * 5 - 5, right = 35 + (float)(k / 3) * 5;
         const float xy[8] = { left, 0, right, 0, right, -9, left, -9 };
@@ -338,9 +332,8 @@ static void areas_may_end_where_the_row_ends(void **state)
 }
 
 /* What a row calls full is full, for all shapes; a polyline of more sides than are kept ready has the coverage of its parts. */
-static void full_runs_are_full_and_long_lines_are_whole(void **state)
+TEST(full_runs_are_full_and_long_lines_are_whole)
 {
-    (void)state;
     wfRandom r = random_stream(2811);
     for (int trial = 0; trial < 200; trial++) {
         float x = (float)wfRandomReal(&r, -10, 50), y = (float)wfRandomReal(&r, -10, 50), radius = (float)wfRandomReal(&r, 0, 30);
@@ -376,9 +369,8 @@ static void full_runs_are_full_and_long_lines_are_whole(void **state)
     }
 }
 
-static void rows_may_begin_anywhere(void **state)
+TEST(rows_may_begin_anywhere)
 {
-    (void)state;
     static wfCoverRow part;
     wfRandom r = random_stream(2802);
     for (int trial = 0; trial < 100; trial++) {
@@ -408,9 +400,8 @@ static void cover_ring(wfCoverRow *w, const float *p) { wfCoverRing(w, p[0], p[1
 /* Averaged over all places of the grid, the sum of the samples is the integral of the coverage, exactly. Averaging over
  * m x m places leaves the error of a midpoint rule. The coverage has slope at most 1 and is linear but for kinks along
  * curves of total length about 4 L: error at most 4 L / m^2, with L the outline's length. */
-static void lines_have_their_area(void **state)
+TEST(lines_have_their_area)
 {
-    (void)state;
     const double pi = 3.14159265358979;
     wfRandom r = random_stream(2803);
     for (int trial = 0; trial < 10; trial++) {
@@ -423,9 +414,8 @@ static void lines_have_their_area(void **state)
     }
 }
 
-static void discs_and_rings_have_their_area(void **state)
+TEST(discs_and_rings_have_their_area)
 {
-    (void)state;
     const double pi = 3.14159265358979;
     const float radii[7] = { 0.1f, 0.4f, 0.57735f, 0.6f, 1, 4, 15 };
     for (int i = 0; i < 7; i++) {
@@ -472,17 +462,15 @@ static double worst_line_cover(double h)
 
 /* Never off by more than (sqrt(2) - 1)^2 / 4 = 0.0429 (eq:draw-error), which is reached for an edge at 45 degrees; by no more
  * than twice that where both borders of a thin line pass through a pixel. */
-static void distance_is_nearly_area(void **state)
+TEST(distance_is_nearly_area)
 {
-    (void)state;
     assert_true(worst_line_cover(4) <= 0.0429 + 1e-4);
     assert_true(worst_line_cover(4) >= 0.041);
     for (int k = 1; k <= 6; k++) assert_true(worst_line_cover(k / 8.0) <= 2 * 0.0429 + 1e-4);
 }
 
-static void upright_lines_are_exact(void **state)
+TEST(upright_lines_are_exact)
 {
-    (void)state;
     const float from[2] = { 10.25f, -20 }, to[2] = { 10.25f, 90 };
     const float halves[3] = { 0.125f, 0.5f, 1.5f };
     for (int k = 0; k < 3; k++) {
@@ -499,9 +487,8 @@ static void upright_lines_are_exact(void **state)
     }
 }
 
-static void far_away_ends_do_no_harm(void **state)
+TEST(far_away_ends_do_no_harm)
 {
-    (void)state;
     const float from[2] = { -1e9f, 10.5f }, to[2] = { 1e9f, 10.5f };
     wfCoverBegin(&row, 10, 0, 40);
     wfCoverLine(&row, from, to, 1);
@@ -524,9 +511,8 @@ static void far_away_ends_do_no_harm(void **state)
 
 /* ---- blending ---- */
 
-static void blending_keeps_its_identities(void **state)
+TEST(blending_keeps_its_identities)
 {
-    (void)state;
     wfRandom r = random_stream(2804);
     for (int i = 0; i < 5000; i++) {
         uint32_t bits = wfRandomU32(&r);
@@ -557,9 +543,8 @@ static void blending_keeps_its_identities(void **state)
     }
 }
 
-static void half_the_light_is_not_half_the_byte(void **state)
+TEST(half_the_light_is_not_half_the_byte)
 {
-    (void)state;
     const wfInk white = { 255, 255, 255, 255 }, half = { 255, 255, 255, 128 };
     uint8_t a[4] = { 0, 0, 0, 0 }, b[4] = { 0, 0, 0, 0 }, c[4] = { 0, 0, 0, 0 };
     wfBlend(a, white, 0.5f);
@@ -573,9 +558,8 @@ static void half_the_light_is_not_half_the_byte(void **state)
 
 /* ---- the frame buffer's back end ---- */
 
-static void every_command_leaves_its_ink(void **state)
+TEST(every_command_leaves_its_ink)
 {
-    (void)state;
     wfDraw d = new_list();
     frame_buffer f = new_frame();
     const float tri[6] = { 60, 4, 90, 4, 75, 30 }, zig[6] = { 4, 40, 20, 40, 20, 60 };
@@ -633,9 +617,8 @@ static uint32_t kept[H * PITCH];
 static void keep_picture(const frame_buffer *f) { memcpy(kept, f->pixels, ((H - 1) * PITCH + W) * sizeof *kept); }
 
 /* An arrow is its shaft and its head: drawn as a line and a polygon in the same ink it gives the same picture. */
-static void arrows_are_shaft_and_head(void **state)
+TEST(arrows_are_shaft_and_head)
 {
-    (void)state;
     wfPalette one = wfLightPalette;
     memcpy(one.area, one.mark, sizeof one.area);
     const float ends[4][4] = { { 10, 10, 60, 50 }, { 70, 12, 30, 40 }, { 80, 50, 20, 47 }, { 40, 55, 44, 9 } };
@@ -659,9 +642,8 @@ static void arrows_are_shaft_and_head(void **state)
 }
 
 /* A dashed line is lines of 6 pixels with gaps of 5 from its start on, also when it starts outside of the picture. */
-static void dashes_are_short_lines(void **state)
+TEST(dashes_are_short_lines)
 {
-    (void)state;
     const float ends[5][4] = { { 10, 10, 80, 55 }, { 80, 52, 12, 8 }, { 30, 60, 30, 3 }, { -300, -160, 300, 210 }, { 50, 900, 20, -700 } };
     for (int i = 0; i < 10; i++) {
         const float *e = ends[i / 2];
@@ -688,9 +670,8 @@ static void dashes_are_short_lines(void **state)
 }
 
 /* What is covered in part is mixed in part; a transparent ink is mixed even where it covers all. */
-static void shares_are_mixed(void **state)
+TEST(shares_are_mixed)
 {
-    (void)state;
     wfDraw d = new_list();
     frame_buffer f = new_frame();
     wfPalette glass = wfLightPalette;
@@ -715,9 +696,8 @@ static void shares_are_mixed(void **state)
     assert_memory_equal(at(&f, 20, 40), half, 4);
 }
 
-static void closed_outlines_are_closed(void **state)
+TEST(closed_outlines_are_closed)
 {
-    (void)state;
     wfDraw d = new_list();
     frame_buffer f = new_frame();
     const float box[8] = { 10, 10.5f, 30, 10.5f, 30, 30.5f, 10, 30.5f };
@@ -734,9 +714,8 @@ static void closed_outlines_are_closed(void **state)
     assert_ink(&f, 20, H - 21, PAPER);
 }
 
-static void roles_of_none_draw_nothing(void **state)
+TEST(roles_of_none_draw_nothing)
 {
-    (void)state;
     wfDraw d = new_list();
     frame_buffer f = new_frame();
     const float box[8] = { 10, 10, 30, 10, 30, 30, 10, 30 };
@@ -763,9 +742,8 @@ static void roles_of_none_draw_nothing(void **state)
     assert_says(s, "<circle class=\"t-line\" fill=\"#1f2933\"");
 }
 
-static void later_commands_lie_on_top(void **state)
+TEST(later_commands_lie_on_top)
 {
-    (void)state;
     wfDraw d = new_list();
     frame_buffer f = new_frame();
     wfDrawCircle(&d, 40, 30, 10, 0, WF_INK_NONE, WF_INK_BODY);
@@ -778,9 +756,8 @@ static void later_commands_lie_on_top(void **state)
 }
 
 /* On a dense screen everything measured in pixels is twice as large; world units follow the view. */
-static void dense_screens_get_wider_lines(void **state)
+TEST(dense_screens_get_wider_lines)
 {
-    (void)state;
     wfDraw d = new_list();
     frame_buffer f = new_frame();
     wfDrawLine(&d, 0, 32, 96, 32, 4, WF_INK_LINE);
@@ -799,9 +776,8 @@ static void dense_screens_get_wider_lines(void **state)
     assert_ink(&f, 50, 34, PAPER);
 }
 
-static void wide_pictures_are_drawn_in_strips(void **state)
+TEST(wide_pictures_are_drawn_in_strips)
 {
-    (void)state;
     enum { WIDE = 2 * WF_COVER_WIDTH + 100 };
     static uint32_t wide[WIDE * 8];
     frame_buffer f = { wide, WIDE, 8, WIDE, 1 };
@@ -823,9 +799,8 @@ static void wide_pictures_are_drawn_in_strips(void **state)
 }
 
 /* Random drawing, most of it outside: the sanitizer and the guards watch. */
-static void nothing_is_drawn_outside(void **state)
+TEST(nothing_is_drawn_outside)
 {
-    (void)state;
     wfRandom r = random_stream(2805);
     for (int trial = 0; trial < 150; trial++) {
         wfDraw d = new_list();
@@ -860,9 +835,8 @@ static void nothing_is_drawn_outside(void **state)
     }
 }
 
-static void bad_pictures_are_left_alone(void **state)
+TEST(bad_pictures_are_left_alone)
 {
-    (void)state;
     wfDraw d = new_list();
     wfDrawCircle(&d, 40, 30, 200, 1, WF_INK_LINE, WF_INK_BODY);
     frame_buffer good = new_frame();
@@ -886,9 +860,8 @@ static void bad_pictures_are_left_alone(void **state)
         for (int x = 0; x < W; x++) assert_ink(&good, x, y, PAPER);
 }
 
-static void the_same_list_gives_the_same_pixels(void **state)
+TEST(the_same_list_gives_the_same_pixels)
 {
-    (void)state;
     static uint32_t first[sizeof pixels / sizeof *pixels];
     for (int k = 0; k < 2; k++) {
         wfDraw d = new_list();
@@ -912,9 +885,8 @@ static const wfGlyph GLYPHS[6] = {
 };
 static const wfFont FONT = { atlas, 16, 16, SIZES, 2, GLYPHS, 3 };
 
-static void glyphs_are_found(void **state)
+TEST(glyphs_are_found)
 {
-    (void)state;
     assert_int_equal(wfNearestSize(&FONT, 1), 0);
     assert_int_equal(wfNearestSize(&FONT, 14.9f), 0);
     assert_int_equal(wfNearestSize(&FONT, 15.1f), 1);
@@ -944,9 +916,8 @@ static void glyphs_are_found(void **state)
     assert_ink(&f, 22, 30, PAPER);
 }
 
-static void letters_stand_on_their_point(void **state)
+TEST(letters_stand_on_their_point)
 {
-    (void)state;
     memset(atlas, 255, sizeof atlas);
     wfDraw d = new_list();
     frame_buffer f = new_frame();
@@ -974,9 +945,8 @@ static void letters_stand_on_their_point(void **state)
 }
 
 /* The first role has the number 0, which is a role like any other; so has a width below 1 pixel. */
-static void the_first_role_and_thin_lines_are_drawn(void **state)
+TEST(the_first_role_and_thin_lines_are_drawn)
 {
-    (void)state;
     const float box[8] = { 10, 10, 20, 10, 20, 20, 10, 20 };
     wfDraw d = new_list();
     frame_buffer f = new_frame();
@@ -989,9 +959,8 @@ static void the_first_role_and_thin_lines_are_drawn(void **state)
     assert_int_not_equal(f.pixels[(H - 11) * f.pitch + 55], f.pixels[0]);
 }
 
-static void letters_are_cut_at_the_border(void **state)
+TEST(letters_are_cut_at_the_border)
 {
-    (void)state;
     memset(atlas, 255, sizeof atlas);
     const float places[6][2] = { { -3, 30 }, { 93, 30 }, { 40, -4 }, { 40, 60 }, { -40, -40 }, { 1e9f, 1e9f } };
     for (int i = 0; i < 6; i++) {
@@ -1012,9 +981,8 @@ static void letters_are_cut_at_the_border(void **state)
     for (int x = 0; x < 4; x++) assert_ink(&f, x, H - 32, x < 2 ? MARK(WF_INK_TEXT) : PAPER);
 }
 
-static void the_baked_font_is_sound(void **state)
+TEST(the_baked_font_is_sound)
 {
-    (void)state;
     const wfFont *f = &wfBakedFont;
     if (f->sizeCount == 0) skip();  /* built without stb or without DejaVu */
     for (int s = 0; s < f->sizeCount; s++) {
@@ -1040,9 +1008,8 @@ static void the_baked_font_is_sound(void **state)
 
 /* ---- the page's back end ---- */
 
-static void svg_says_the_same_as_the_pixels(void **state)
+TEST(svg_says_the_same_as_the_pixels)
 {
-    (void)state;
     wfDraw d = new_list();
     const float tri[6] = { 60, 4, 90, 4, 75, 30.5f };
     wfDrawView(&d, 0, 0, 96, 64);
@@ -1074,9 +1041,8 @@ static void svg_says_the_same_as_the_pixels(void **state)
     for (const char *c = s; *c; c++) assert_true(*c == '\n' || (*c >= 32 && *c < 127));
 }
 
-static void svg_numbers_are_short(void **state)
+TEST(svg_numbers_are_short)
 {
-    (void)state;
     static const struct { float x; const char *text; } cases[] = {
         { 0, "x1=\"0\"" }, { 1, "x1=\"1\"" }, { 0.5f, "x1=\"0.5\"" }, { 0.25f, "x1=\"0.25\"" }, { 0.126f, "x1=\"0.13\"" },
         { -0.126f, "x1=\"-0.13\"" }, { -0.001f, "x1=\"0\"" }, { 1.999f, "x1=\"2\"" }, { 0.05f, "x1=\"0.05\"" },
@@ -1089,9 +1055,8 @@ static void svg_numbers_are_short(void **state)
     }
 }
 
-static void svg_refuses_bad_widths(void **state)
+TEST(svg_refuses_bad_widths)
 {
-    (void)state;
     wfDraw d = new_list();
     FILE *out = tmpfile();
     assert_int_equal(wfWriteSvg(&d, 0, out), -1);
@@ -1102,9 +1067,8 @@ static void svg_refuses_bad_widths(void **state)
     fclose(out);
 }
 
-static void svg_fits_any_view(void **state)
+TEST(svg_fits_any_view)
 {
-    (void)state;
     wfDraw d = new_list();
     wfDrawView(&d, -2, 1, 6, 5);
     wfDrawLine(&d, -2, 1, 6, 5, 1, WF_INK_LINE);
@@ -1113,9 +1077,8 @@ static void svg_fits_any_view(void **state)
     assert_says(s, "x1=\"0\" y1=\"400\" x2=\"800\" y2=\"0\"");
 }
 
-static void a_full_disk_is_told(void **state)
+TEST(a_full_disk_is_told)
 {
-    (void)state;
     FILE *full = fopen("/dev/full", "w");
     if (full == NULL) skip();  /* only some systems have it */
     setvbuf(full, NULL, _IONBF, 0);
@@ -1125,9 +1088,8 @@ static void a_full_disk_is_told(void **state)
     fclose(full);
 }
 
-static void the_style_sheet_knows_every_role(void **state)
+TEST(the_style_sheet_knows_every_role)
 {
-    (void)state;
     char text[16384], part[64];
     FILE *out = tmpfile();
     assert_int_equal(wfWriteSvgStyle(out), 0);
@@ -1148,29 +1110,4 @@ static void the_style_sheet_knows_every_role(void **state)
         snprintf(part, sizeof part, "--area-%s: #%02x%02x%02x;", n, a.r, a.g, a.b);
         assert_says(text, part);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_view_is_fitted_and_flipped), cmocka_unit_test(arrows_have_a_tip_and_two_barbs),
-        cmocka_unit_test(utf8_is_read_and_bad_bytes_are_replaced), cmocka_unit_test(inks_stand_out_from_the_paper),
-        cmocka_unit_test(polygons_are_covered_exactly), cmocka_unit_test(rows_may_begin_anywhere),
-        cmocka_unit_test(areas_may_end_where_the_row_ends), cmocka_unit_test(full_runs_are_full_and_long_lines_are_whole),
-        cmocka_unit_test(lines_have_their_area), cmocka_unit_test(discs_and_rings_have_their_area),
-        cmocka_unit_test(distance_is_nearly_area), cmocka_unit_test(upright_lines_are_exact),
-        cmocka_unit_test(far_away_ends_do_no_harm), cmocka_unit_test(blending_keeps_its_identities),
-        cmocka_unit_test(half_the_light_is_not_half_the_byte), cmocka_unit_test(every_command_leaves_its_ink),
-        cmocka_unit_test(closed_outlines_are_closed), cmocka_unit_test(arrows_are_shaft_and_head),
-        cmocka_unit_test(dashes_are_short_lines), cmocka_unit_test(shares_are_mixed), cmocka_unit_test(roles_of_none_draw_nothing),
-        cmocka_unit_test(later_commands_lie_on_top), cmocka_unit_test(dense_screens_get_wider_lines),
-        cmocka_unit_test(wide_pictures_are_drawn_in_strips), cmocka_unit_test(nothing_is_drawn_outside),
-        cmocka_unit_test(bad_pictures_are_left_alone), cmocka_unit_test(the_same_list_gives_the_same_pixels),
-        cmocka_unit_test(glyphs_are_found), cmocka_unit_test(letters_stand_on_their_point),
-        cmocka_unit_test(the_first_role_and_thin_lines_are_drawn),
-        cmocka_unit_test(letters_are_cut_at_the_border), cmocka_unit_test(the_baked_font_is_sound),
-        cmocka_unit_test(svg_says_the_same_as_the_pixels), cmocka_unit_test(svg_numbers_are_short),
-        cmocka_unit_test(svg_refuses_bad_widths), cmocka_unit_test(svg_fits_any_view), cmocka_unit_test(a_full_disk_is_told), cmocka_unit_test(the_style_sheet_knows_every_role),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

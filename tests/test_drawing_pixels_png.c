@@ -63,9 +63,8 @@ static size_t write_one(uint8_t *file, size_t room, const uint32_t *pixels, int 
     return wfPngEnd(&p);
 }
 
-static void a_picture_is_read_by_another_program(void **state)
+TEST(a_picture_is_read_by_another_program)
 {
-    (void)state;
     uint8_t *file = malloc(BYTES);
     uint32_t *pixels = calloc(700 * 500, 4);
     chunk c[16];
@@ -85,9 +84,8 @@ static void a_picture_is_read_by_another_program(void **state)
 }
 
 /* Rows further apart than the picture is wide: it does not lean. */
-static void a_part_of_a_buffer_is_written(void **state)
+TEST(a_part_of_a_buffer_is_written)
 {
-    (void)state;
     static uint8_t file[1 << 18];
     static uint32_t whole[100 * 90];
     fill(whole, 100, 90, 1);
@@ -97,9 +95,8 @@ static void a_part_of_a_buffer_is_written(void **state)
     check_pixels(file, size, &b, 10, 20, 40, 30);
 }
 
-static void a_film_is_the_pictures_that_went_in(void **state)
+TEST(a_film_is_the_pictures_that_went_in)
 {
-    (void)state;
     enum { W = 120, H = 80, N = 25 };
     static uint8_t file[1 << 21];
     static uint32_t film[N][W * H], before[W * H];
@@ -146,9 +143,8 @@ static void a_film_is_the_pictures_that_went_in(void **state)
 }
 
 /* However little room there is: nothing beyond it is touched, and the answer is 0. */
-static void too_little_room_is_noticed(void **state)
+TEST(too_little_room_is_noticed)
 {
-    (void)state;
     static uint8_t file[60000];
     static uint32_t pixels[64 * 64];
     fill(pixels, 64, 64, 1);
@@ -167,9 +163,8 @@ static void too_little_room_is_noticed(void **state)
     assert_int_equal(write_one(file, need, pixels, 64, 64, 64), need);
 }
 
-static void a_file_on_disk(void **state)
+TEST(a_file_on_disk)
 {
-    (void)state;
     static uint32_t pixels[30 * 20];
     char name[] = "/tmp/weft-picture-XXXXXX";
     FILE *f = fopen(name, "wb");                    /* tests run one at a time in this folder */
@@ -189,14 +184,4 @@ static void a_file_on_disk(void **state)
     stbi_image_free(got);
 #endif
     remove(name);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_picture_is_read_by_another_program), cmocka_unit_test(a_part_of_a_buffer_is_written),
-        cmocka_unit_test(a_film_is_the_pictures_that_went_in),
-        cmocka_unit_test(too_little_room_is_noticed), cmocka_unit_test(a_file_on_disk)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

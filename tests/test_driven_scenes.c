@@ -1,6 +1,5 @@
 /* Scenes to play: each is held to the bounds that its section of the chapter derives; and their controls, by keys, buttons, demo and tape. */
 #include "play.h"
-#include <math.h>
 #include "testbed/scene.h"
 #include "weft/integrate.h"
 #include "weft/weft.h"
@@ -71,9 +70,8 @@ static double car_comes(double friction, int seconds, double *fastest)
     end(&r);
     return far;
 }
-static void grip_decides_which_hill_is_climbed(void **state)
+TEST(grip_decides_which_hill_is_climbed)
 {
-    (void)state;
     double spin, far = car_comes(1.2, 10, &spin);
     must(far > 50, "with grip it comes %g m far", far);
     must(spin < 28 * 1.1, "the motors turn the wheels at 28 rad/s, not at %g", spin);
@@ -81,9 +79,8 @@ static void grip_decides_which_hill_is_climbed(void **state)
     must(far < 11, "without grip it comes %g m far", far);
 }
 
-static void tyres_stay_within_the_circle_of_their_grip(void **state)
+TEST(tyres_stay_within_the_circle_of_their_grip)
 {
-    (void)state;
     run r = begin("race car");
     double most = 2 * 4.4, worst = 0;                   /* N, two axles, 1 kg */
     for (int k = 0; k < 900; k++) {
@@ -110,9 +107,8 @@ static void tyres_stay_within_the_circle_of_their_grip(void **state)
     end(&r);
 }
 
-static void the_tracks_carry_the_tank(void **state)
+TEST(the_tracks_carry_the_tank)
 {
-    (void)state;
     run r = begin("tank");
     hold(&r, 0, 60);
     hold(&r, RIGHT, 60);
@@ -134,9 +130,8 @@ static void the_tracks_carry_the_tank(void **state)
     end(&r);
 }
 
-static void the_character_jumps_rides_and_arrives(void **state)
+TEST(the_character_jumps_rides_and_arrives)
 {
-    (void)state;
     run r = begin("platforms");
     hold(&r, 0, 10);
     double foot = (double)body(&r, 0).p.y, high = foot, h = 1.0 / 60;
@@ -178,9 +173,8 @@ static double plunge(int steps)
     end(&r);
     return high;
 }
-static void the_ball_stays_on_the_pinball_table(void **state)
+TEST(the_ball_stays_on_the_pinball_table)
 {
-    (void)state;
     double weak = plunge(8), full = plunge(60);
     must(full > 8 && weak < 4, "drawn a little the plunger gives %g m, drawn fully %g", weak, full);
     run r = begin("pinball");
@@ -196,9 +190,8 @@ static void the_ball_stays_on_the_pinball_table(void **state)
     end(&r);
 }
 
-static void equal_balls_part_at_a_right_angle(void **state)
+TEST(equal_balls_part_at_a_right_angle)
 {
-    (void)state;
     run r = begin("pool");
     wfBodyId white = wfBodyAt(&r.world, 1), other = wfBodyAt(&r.world, 2);
     assert_ok(wfSetBodyTransform(&r.world, white, wfV2(-2, 1), 0));
@@ -215,9 +208,8 @@ static void equal_balls_part_at_a_right_angle(void **state)
     end(&r);
 }
 
-static void a_ball_in_a_pocket_stays_there(void **state)
+TEST(a_ball_in_a_pocket_stays_there)
 {
-    (void)state;
     run r = begin("pool");
     assert_ok(wfSetBodyTransform(&r.world, wfBodyAt(&r.world, 3), wfV2((wfReal)3.4, (wfReal)-1.6), 0));
     assert_ok(wfSetBodyVelocity(&r.world, wfBodyAt(&r.world, 3), wfV2(1, -1), 0));
@@ -241,9 +233,8 @@ static void a_ball_in_a_pocket_stays_there(void **state)
     end(&r);
 }
 
-static void the_demo_goes_through_the_maze(void **state)
+TEST(the_demo_goes_through_the_maze)
 {
-    (void)state;
     run r = begin("maze");
     double last = 0;
     bool in = false;
@@ -259,9 +250,8 @@ static void the_demo_goes_through_the_maze(void **state)
 }
 
 /* ---- machines ---- */
-static void the_stone_has_no_more_than_the_weight_gave(void **state)
+TEST(the_stone_has_no_more_than_the_weight_gave)
 {
-    (void)state;
     double best = 0, worst = 1e9;
     for (int held = 60; held <= 120; held += 5) {
         run r = begin("trebuchet");
@@ -283,9 +273,8 @@ static void the_stone_has_no_more_than_the_weight_gave(void **state)
     must(best < 2 * 5 / 0.3 * 2.2, "farther than a perfect machine throws");
 }
 
-static void the_house_stands_until_it_is_hit(void **state)
+TEST(the_house_stands_until_it_is_hit)
 {
-    (void)state;
     run r = begin("wrecking ball");
     wfBodyView v = wfWorldBodies(&r.world);
     int roof = v.count - 1;
@@ -300,9 +289,8 @@ static void the_house_stands_until_it_is_hit(void **state)
     end(&r);
 }
 
-static void the_lift_holds_and_brings_all_crates_up(void **state)
+TEST(the_lift_holds_and_brings_all_crates_up)
 {
-    (void)state;
     run r = begin("goods lift");
     hold(&r, 0, 90);
     hold(&r, UP, 60);
@@ -324,9 +312,8 @@ static void the_lift_holds_and_brings_all_crates_up(void **state)
     end(&r);
 }
 
-static void every_marble_is_lifted_again(void **state)
+TEST(every_marble_is_lifted_again)
 {
-    (void)state;
     run r = begin("marble machine");
     bool up[32] = { false };
     for (int k = 0; k < 5400; k++) {
@@ -341,9 +328,8 @@ static void every_marble_is_lifted_again(void **state)
     end(&r);
 }
 
-static void the_hands_turn_at_their_rates(void **state)
+TEST(the_hands_turn_at_their_rates)
 {
-    (void)state;
     run r = begin("clock");
     double seconds = 0, minutes = 0, hours = 0, was[3] = { 0, 0, 0 };
     for (int k = 0; k < 7200; k++) {
@@ -368,9 +354,8 @@ static int below(const run *r)
     for (int i = 1; i <= 200; i++) n += (double)body(r, i).p.y < 0;
     return n;
 }
-static void all_sand_gets_through(void **state)
+TEST(all_sand_gets_through)
 {
-    (void)state;
     run r = begin("hourglass");
     double at[4] = { 0 };
     for (int k = 1; k <= 900; k++) {
@@ -392,9 +377,8 @@ static void all_sand_gets_through(void **state)
 }
 
 /* ---- soft things, space ---- */
-static void the_blob_keeps_its_room(void **state)
+TEST(the_blob_keeps_its_room)
 {
-    (void)state;
     run r = begin("blob");
     double least = 1e9, most = 0, right = -9;
     for (int k = 0; k < 1500; k++) {
@@ -422,9 +406,8 @@ static int torn(const run *r, double *most)
     }
     return n;
 }
-static void threads_tear_beyond_their_strength_and_no_sooner(void **state)
+TEST(threads_tear_beyond_their_strength_and_no_sooner)
 {
-    (void)state;
     double most = 0;
     run r = begin("cloth");
     hold(&r, 0, 300);
@@ -447,9 +430,8 @@ static void threads_tear_beyond_their_strength_and_no_sooner(void **state)
     end(&r);
 }
 
-static void planets_keep_keplers_laws(void **state)
+TEST(planets_keep_keplers_laws)
 {
-    (void)state;
     static const double far[4] = { 1.5, 2.3, 3.3, 4.6 };
     for (int i = 0; i < 4; i++) {
         run r = begin("planets");
@@ -477,13 +459,12 @@ static void planets_keep_keplers_laws(void **state)
 static void drive_by(play *p, const char *scene, const char *before, const char *during, const char *after)
 {
     char script[600];
-    play_begin(p, 1280, 800, 1);
+    *p = play_open(1280, 800, 1);
     snprintf(script, sizeof script, "steps 0\nscene %s\nframe\nframe\nsteps 1\n%sframe\n%swait 29\n%swait 30\n", scene, before, during, after);
     play_run(p, script);
 }
-static void keys_and_buttons_drive_alike(void **state)
+TEST(keys_and_buttons_drive_alike)
 {
-    (void)state;
     static const char *const key[WF_CONTROLS] = { "left", "right", "up", "down", "enter" };
     for (int row = 0; row < wfSceneCount(); row++) {
         const wfScene *s = wfSceneAt(row);
@@ -497,7 +478,7 @@ static void keys_and_buttons_drive_alike(void **state)
             char let[40];
             snprintf(let, sizeof let, "let %s\n", key[i]);
             drive_by(&a, name, press, "", let);
-            play_begin(&b, 1280, 800, 1);
+            b = play_open(1280, 800, 1);
             snprintf(press, sizeof press, "steps 0\nscene %s\nframe\nframe\n", name);
             play_run(&b, press);
             snprintf(label, sizeof label, "widget %s pixel", s->controls[i]);
@@ -511,11 +492,10 @@ static void keys_and_buttons_drive_alike(void **state)
     }
 }
 
-static void the_demo_drives_until_somebody_does(void **state)
+TEST(the_demo_drives_until_somebody_does)
 {
-    (void)state;
     play p, q;
-    play_begin(&p, 1280, 800, 1);
+    p = play_open(1280, 800, 1);
     play_run(&p, "steps 0\nscene hill-car\nframe\nsteps 1\nwait 180\n");
     double far = play_fact(&p, "body 0 x", 0);
     must(far > 4, "the demo does not drive: %g", far);
@@ -527,8 +507,8 @@ static void the_demo_drives_until_somebody_does(void **state)
     must(fabs(play_fact(&p, "body 0 x", 0) - far) < 0.5, "after a reset it is %g", play_fact(&p, "body 0 x", 0));
     play_end(&p);
     /* A tap that begins and ends within a frame counts for its step. */
-    play_begin(&p, 1280, 800, 1);
-    play_begin(&q, 1280, 800, 1);
+    p = play_open(1280, 800, 1);
+    q = play_open(1280, 800, 1);
     play_run(&p, "steps 0\nscene pinball\nframe\nsteps 1\nkey left\nframe\nframe\n");
     play_run(&q, "steps 0\nscene pinball\nframe\nsteps 1\nkey right\nframe\nframe\n");
     must(strncmp(play_line(&p, "hash"), play_line(&q, "hash"), 21) != 0, "a tap does nothing");
@@ -536,11 +516,9 @@ static void the_demo_drives_until_somebody_does(void **state)
     play_end(&q);
 }
 
-static void arrows_without_a_word_move_the_view(void **state)
+TEST(arrows_without_a_word_move_the_view)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1280, 800, 1);
+    play p = play_open(1280, 800, 1);
     play_run(&p, "steps 0\nscene trebuchet\nframe\n");
     double x = play_fact(&p, "view", 0);
     play_run(&p, "key left\nframe\n");
@@ -552,11 +530,9 @@ static void arrows_without_a_word_move_the_view(void **state)
     play_end(&p);
 }
 
-static void a_tape_of_a_drive_replays_to_the_last_bit(void **state)
+TEST(a_tape_of_a_drive_replays_to_the_last_bit)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1280, 800, 1);
+    play p = play_open(1280, 800, 1);
     play_run(&p, "steps 0\nscene platforms\nframe\nkey f\nframe\nsteps 1\nhold right\nwait 40\nhold up\nwait 20\nlet up\nwait 30\nlet right\nwait 20\nkey f\nsteps 0\nframe\n");
     char hash[40];
     snprintf(hash, sizeof hash, "%.21s", play_line(&p, "hash"));
@@ -567,12 +543,10 @@ static void a_tape_of_a_drive_replays_to_the_last_bit(void **state)
     play_end(&p);
 }
 
-static void a_finger_drives_on_a_telephone(void **state)
+TEST(a_finger_drives_on_a_telephone)
 {
-    (void)state;
-    play p;
     char script[300];
-    play_begin(&p, 390, 844, 1);
+    play p = play_open(390, 844, 1);
     play_run(&p, "finger 1\nsteps 0\nscene race-car\nframe\nframe\n");
     double x = play_fact(&p, "widget gas pixel", 0), y = play_fact(&p, "widget gas pixel", 1);
     must(x > 0 && x < 390 && y > 500 && y < 844, "the button is at %g, %g", x, y);
@@ -583,27 +557,9 @@ static void a_finger_drives_on_a_telephone(void **state)
     must(gone > 1, "a finger on gas: %g m", gone);
     play_end(&p);
     /* It slides on to the brake: 2 m/s are gone after half a second. */
-    play_begin(&p, 390, 844, 1);
+    p = play_open(390, 844, 1);
     snprintf(script, sizeof script, "finger 1\nsteps 0\nscene race-car\nframe\nframe\nmove %g %g\ndown left\nsteps 1\nwait 30\nmove %g %g\nwait 30\n", x, y, brake, y);
     play_run(&p, script);
     must(play_fact(&p, "body 0 x", 0) < 0.75 * gone, "a finger that slid on to the brake does not brake: %g m of %g", play_fact(&p, "body 0 x", 0), gone);
     play_end(&p);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(grip_decides_which_hill_is_climbed), cmocka_unit_test(tyres_stay_within_the_circle_of_their_grip),
-        cmocka_unit_test(the_tracks_carry_the_tank), cmocka_unit_test(the_character_jumps_rides_and_arrives),
-        cmocka_unit_test(the_ball_stays_on_the_pinball_table), cmocka_unit_test(equal_balls_part_at_a_right_angle),
-        cmocka_unit_test(a_ball_in_a_pocket_stays_there), cmocka_unit_test(the_demo_goes_through_the_maze),
-        cmocka_unit_test(the_stone_has_no_more_than_the_weight_gave), cmocka_unit_test(the_house_stands_until_it_is_hit),
-        cmocka_unit_test(the_lift_holds_and_brings_all_crates_up), cmocka_unit_test(every_marble_is_lifted_again),
-        cmocka_unit_test(the_hands_turn_at_their_rates), cmocka_unit_test(all_sand_gets_through),
-        cmocka_unit_test(the_blob_keeps_its_room), cmocka_unit_test(threads_tear_beyond_their_strength_and_no_sooner),
-        cmocka_unit_test(planets_keep_keplers_laws), cmocka_unit_test(keys_and_buttons_drive_alike),
-        cmocka_unit_test(the_demo_drives_until_somebody_does), cmocka_unit_test(arrows_without_a_word_move_the_view),
-        cmocka_unit_test(a_tape_of_a_drive_replays_to_the_last_bit), cmocka_unit_test(a_finger_drives_on_a_telephone),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

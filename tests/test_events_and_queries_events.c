@@ -34,9 +34,8 @@ static wfTouchingChanges room(int32_t begin, int32_t stay, int32_t end)
     return e;
 }
 
-static void test_by_hand(void **state)
+TEST(test_by_hand)
 {
-    (void)state;
     wfTouchingPair before[] = { touch(1, 2, 0, 0), touch(1, 5, 0, 0), touch(2, 4, 7, 7), touch(3, 4, 0, 0) };
     wfTouchingPair now[] = { touch(1, 3, 0, 0), touch(1, 5, 0, 0), touch(2, 4, 7, 8), touch(5, 6, 0, 0) };
     now[1].flags = WF_TOUCH_SENSOR_B;
@@ -80,9 +79,8 @@ static void check_sorted(const wfTouchingList *list)
     }
 }
 
-static void test_random(void **state)
+TEST(test_random)
 {
-    (void)state;
     static wfTouchingPair before[MOST], now[MOST];
     wfRandom r = random_stream(1);
     for (int round = 0; round < 2000; round++) {
@@ -123,9 +121,8 @@ static void test_random(void **state)
     }
 }
 
-static void test_bad_lists(void **state)
+TEST(test_bad_lists)
 {
-    (void)state;
     wfTouchingPair good[] = { touch(1, 2, 0, 0), touch(1, 3, 0, 0) }, twice[] = { touch(1, 2, 0, 0), touch(1, 2, 1, 1) };
     wfTouchingPair turned[] = { touch(1, 3, 0, 0), touch(1, 2, 0, 0) }, fallen[] = { touch(2, 3, 0, 0), touch(1, 4, 0, 0) };
     wfTouchingPair self[] = { touch(1, 1, 0, 0) }, wrong[] = { touch(2, 1, 0, 0) };
@@ -153,9 +150,8 @@ static void test_bad_lists(void **state)
     }
 }
 
-static void test_margin(void **state)
+TEST(test_margin)
 {
-    (void)state;
     assert_true(wfTouchesNow(false, 0, 1));                     /* touching counts */
     assert_true(wfTouchesNow(false, -1, 1));
     assert_false(wfTouchesNow(false, WF_R(0.001), 1));
@@ -177,9 +173,8 @@ static void test_margin(void **state)
     assert_true(begin == 1 && end == 0);
 }
 
-static void test_hits(void **state)
+TEST(test_hits)
 {
-    (void)state;
     wfTouchingPair t = touch(3, 9, 1, 2);
     wfManifold m = { .normal = wfV2(0, 1), .count = 2 };        /* B stands on A */
     m.points[0].point = wfV2(-1, 5);
@@ -230,9 +225,8 @@ static void test_hits(void **state)
 }
 
 /* from shapes: a box falls on a table, as a user would ask */
-static void test_a_landing(void **state)
+TEST(test_a_landing)
 {
-    (void)state;
     wfShape table = box(4, 1), crate = box(1, 1);
     wfManifold m;
     wfPairHit hit;
@@ -242,17 +236,4 @@ static void test_a_landing(void **state)
     assert_true(wfMakeHit(&t, &m, still, falling, 1, &hit));
     assert_near(hit.speed, 6, 1e-5);                            /* its right corner, 1 m from the middle */
     assert_near(hit.point.x, 2, 1e-5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_by_hand),
-        cmocka_unit_test(test_random),
-        cmocka_unit_test(test_bad_lists),
-        cmocka_unit_test(test_margin),
-        cmocka_unit_test(test_hits),
-        cmocka_unit_test(test_a_landing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

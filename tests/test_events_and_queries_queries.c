@@ -73,9 +73,8 @@ static void expect_miss(wfRayHit hit)
 /* coordinates below 8 m, results are sums of a few products of them */
 #define ROUNDING (32 * (double)WF_EPSILON * 8)
 
-static void test_circle(void **state)
+TEST(test_circle)
 {
-    (void)state;
     wfShape c = circle(1, 0, 0.5);
     wfTransform xf = at(2, 1, 90), flat = at(1, 2, 0);               /* the centre is at (2, 2) both times */
     expect(cast(&c, xf, wfV2(0, 2), wfV2(4, 0)), 0.375, 1.5, 2, -1, 0, ROUNDING);
@@ -94,9 +93,8 @@ static void test_circle(void **state)
     expect_miss(cast(&c, xf, wfV2(2, 3), wfV2(0, 0)));
 }
 
-static void test_box(void **state)
+TEST(test_box)
 {
-    (void)state;
     wfShape b = box(2, 1);
     wfTransform id = at(0, 0, 0);
     expect(cast(&b, id, wfV2(-4, WF_R(0.5)), wfV2(8, 0)), 0.25, -2, 0.5, -1, 0, ROUNDING);
@@ -116,9 +114,8 @@ static void test_box(void **state)
     expect(cast(&b, id, wfV2(2, 0), wfV2(1, 0)), 0, 2, 0, 0, 0, 0);  /* begins on the border */
 }
 
-static void test_capsule(void **state)
+TEST(test_capsule)
 {
-    (void)state;
     wfShape c = capsule(-1, 0, 1, 0, 0.5);
     wfTransform id = at(0, 0, 0);
     expect(cast(&c, id, wfV2(WF_R(0.5), 2), wfV2(0, -2)), 0.75, 0.5, 0.5, 0, 1, ROUNDING);
@@ -134,9 +131,8 @@ static void test_capsule(void **state)
     expect_miss(cast(&c, id, wfV2(WF_R(1.4), WF_R(0.4)), wfV2(0, 0)));
 }
 
-static void test_rounded(void **state)
+TEST(test_rounded)
 {
-    (void)state;
     wfShape b = rounded_box(1, 1, 0.5);
     wfTransform id = at(0, 0, 0);
     expect(cast(&b, id, wfV2(WF_R(0.9), 3), wfV2(0, -3)), 0.5, 0.9, 1.5, 0, 1, ROUNDING);
@@ -152,9 +148,8 @@ static void test_rounded(void **state)
     expect(cast(&b, id, wfV2(WF_R(1.3), WF_R(1.3)), wfV2(1, 1)), 0, 1.3, 1.3, 0, 0, 0);    /* in the corner's disk */
 }
 
-static void test_thin(void **state)
+TEST(test_thin)
 {
-    (void)state;
     wfTransform id = at(0, 0, 0);
     wfShape s = segment(-1, 0, 1, 0), l;
     /* the outside of a link is on its right: this one runs to the left, so its outside is up */
@@ -236,9 +231,8 @@ static int check_ray(const wfShape *s, wfTransform xf, wfRay ray, double toleran
     return 1;
 }
 
-static void test_random_rays(void **state)
+TEST(test_random_rays)
 {
-    (void)state;
     wfRandom r = random_stream(1);
     int hits[WF_SHAPE_KINDS] = { 0 };
     for (int i = 0; i < 12000; i++) {
@@ -255,9 +249,8 @@ static void test_random_rays(void **state)
 
 /* Small, large, far: the tolerance is 16 epsilon of the distance and the size, as promised, and the same again for
    the world's coordinates of the hit point. */
-static void test_scales(void **state)
+TEST(test_scales)
 {
-    (void)state;
     wfRandom r = random_stream(2);
     static const double sizes[] = { 1e-3, 1, 1e3 }, ways[] = { 3, 100, 1e4, 1e6 }, places[] = { 0, 1e3, 1e5 };
     int hits = 0;
@@ -286,9 +279,8 @@ static void test_scales(void **state)
 }
 
 /* A ray through the corner that two links share is stopped by one of them. */
-static void test_chains_do_not_leak(void **state)
+TEST(test_chains_do_not_leak)
 {
-    (void)state;
     wfRandom r = random_stream(3);
     for (int i = 0; i < 20000; i++) {
         wfTransform xf = random_transform(&r, 10);
@@ -305,9 +297,8 @@ static void test_chains_do_not_leak(void **state)
 }
 
 /* Rays into a rounded polygon with nearly straight corners, aimed at the inside: none may get through. */
-static void test_no_ray_slips_through(void **state)
+TEST(test_no_ray_slips_through)
 {
-    (void)state;
     wfRandom r = random_stream(4);
     for (int i = 0; i < 6000; i++) {
         double flat = ldexp(1, -(int)wfRandomBelow(&r, 14)), coat = ldexp(1, -(int)wfRandomBelow(&r, 14));
@@ -330,9 +321,8 @@ static void test_no_ray_slips_through(void **state)
 }
 
 /* a coat that is thinner than the rounding of corners far from their body's origin */
-static void test_thin_coat_far_out(void **state)
+TEST(test_thin_coat_far_out)
 {
-    (void)state;
     wfVec2 p[4] = { wfV2(50000, 0), wfV2(50001, 0), wfV2(50001, 1), wfV2(50000, 1) };
     wfShape s;
     wfRandom r = random_stream(5);
@@ -346,9 +336,8 @@ static void test_thin_coat_far_out(void **state)
     }
 }
 
-static void test_closest_by_hand(void **state)
+TEST(test_closest_by_hand)
 {
-    (void)state;
     wfClosest c;
     wfShape b = rounded_box(1, 1, 0.5), s = segment(-1, 0, 1, 0), ball = circle(1, 0, 0.5), none = { 0 };
     wfTransform id = at(0, 0, 0), moved = at(2, 1, 90);
@@ -383,9 +372,8 @@ static void test_closest_by_hand(void **state)
     assert_near2(c.point, wfV2(2, 1), ROUNDING);
 }
 
-static void test_closest_random(void **state)
+TEST(test_closest_random)
 {
-    (void)state;
     wfRandom r = random_stream(6);
     int inside = 0;
     for (int i = 0; i < 12000; i++) {
@@ -409,9 +397,8 @@ static void test_closest_random(void **state)
     assert_true(inside > 150);
 }
 
-static void test_overlap(void **state)
+TEST(test_overlap)
 {
-    (void)state;
     bool yes = false;
     wfShape b = box(1, 1), c = circle(0, 0, 1), s = segment(-1, 0, 1, 0), none = { 0 };
     assert_ok(wfOverlap(&b, at(0, 0, 0), &c, at(1.75, 0, 0), &yes));
@@ -448,9 +435,8 @@ static void test_overlap(void **state)
 }
 
 /* every wrong argument once: an error, and the answer untouched */
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfRandom r = random_stream(8);
     wfRayHit hit, hit_before;
     wfClosest c, cBefore;
@@ -507,9 +493,8 @@ static void test_bad_input(void **state)
 }
 
 /* huge, tiny and odd rays: finite answers in range, or an error, whatever is asked */
-static void test_wild_rays(void **state)
+TEST(test_wild_rays)
 {
-    (void)state;
     wfRandom r = random_stream(9);
     int hits = 0;
     for (int i = 0; i < 40000; i++) {
@@ -530,26 +515,4 @@ static void test_wild_rays(void **state)
             assert_true(c.distance >= 0 && wfIsFinite(c.distance) && wfIsFinite2(c.point) && wfIsFinite2(c.normal));
     }
     assert_true(hits > 500);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_circle),
-        cmocka_unit_test(test_box),
-        cmocka_unit_test(test_capsule),
-        cmocka_unit_test(test_rounded),
-        cmocka_unit_test(test_thin),
-        cmocka_unit_test(test_random_rays),
-        cmocka_unit_test(test_scales),
-        cmocka_unit_test(test_chains_do_not_leak),
-        cmocka_unit_test(test_no_ray_slips_through),
-        cmocka_unit_test(test_thin_coat_far_out),
-        cmocka_unit_test(test_closest_by_hand),
-        cmocka_unit_test(test_closest_random),
-        cmocka_unit_test(test_overlap),
-        cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_wild_rays),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

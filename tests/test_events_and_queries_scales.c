@@ -35,9 +35,8 @@ static void assert_same_shape(const wfShape *small, const wfShape *large)
 }
 
 /* the makers, given larger numbers, make the larger shape; its mass is k^2 times as great, its inertia k^4 times */
-static void test_makers(void **state)
+TEST(test_makers)
 {
-    (void)state;
     wfRandom r = random_stream(2310);
     int tiny = 0;
     for (int i = 0; i < 2000; i++) {
@@ -125,9 +124,8 @@ static int check_manifolds(const wfShape *a, wfTransform xa, const wfShape *b, w
     return points;
 }
 
-static void test_pairs(void **state)
+TEST(test_pairs)
 {
-    (void)state;
     wfRandom r = random_stream(2311);
     int points = 0;
     for (int i = 0; i < 8000; i++) {
@@ -153,9 +151,8 @@ static wfSweep random_sweep(wfRandom *r)
 }
 
 /* times of impact, casts, rays, nearest points */
-static void test_motion_and_rays(void **state)
+TEST(test_motion_and_rays)
 {
-    (void)state;
     wfRandom r = random_stream(2312);
     int touches = 0, hits = 0;
     for (int i = 0; i < 4000; i++) {
@@ -190,9 +187,8 @@ static void test_motion_and_rays(void **state)
 }
 
 /* every broad phase: the same pairs after the same number of tests */
-static void test_broad_phases(void **state)
+TEST(test_broad_phases)
 {
-    (void)state;
     enum { MANY = 150, PAIRS = 2000 };
     static _Alignas(16) uint8_t memory[1 << 20];
     static wfPair found[2][PAIRS];
@@ -223,9 +219,8 @@ static void test_broad_phases(void **state)
 }
 
 /* outlines with dents: the same pieces */
-static void test_outlines(void **state)
+TEST(test_outlines)
 {
-    (void)state;
     enum { CORNERS = 24 };
     static _Alignas(16) uint8_t memory[1 << 16];
     wfRandom r = random_stream(2314);
@@ -248,13 +243,4 @@ static void test_outlines(void **state)
         assert_int_equal(count[0], count[1]);
         for (int j = 0; j < count[0]; j++) assert_same_shape(&pieces[0][j], &pieces[1][j]);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_makers), cmocka_unit_test(test_pairs), cmocka_unit_test(test_motion_and_rays),
-        cmocka_unit_test(test_broad_phases), cmocka_unit_test(test_outlines),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

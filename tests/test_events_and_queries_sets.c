@@ -142,9 +142,8 @@ static const wfFilter *some_filter(wfRandom *r, wfFilter *f)
     return wfRandomBelow(r, 2) ? f : NULL;
 }
 
-static void test_rays(void **state)
+TEST(test_rays)
 {
-    (void)state;
     wfRandom r = random_stream(1);
     int hits = 0;
     for (int i = 0; i < 60; i++) {
@@ -191,9 +190,8 @@ static int check_shape_cast(const wfFilter *filter, const wfShape *s, wfTransfor
     return n;
 }
 
-static void test_shape_casts(void **state)
+TEST(test_shape_casts)
 {
-    (void)state;
     wfRandom r = random_stream(12);
     int hits = 0;
     for (int i = 0; i < 40; i++) {
@@ -234,9 +232,8 @@ static void test_shape_casts(void **state)
 }
 
 /* many shapes under one ray: the heap is exercised */
-static void test_many_hits(void **state)
+TEST(test_many_hits)
 {
-    (void)state;
     wfRandom r = random_stream(2);
     for (int round = 0; round < 6; round++) {
         begin_world(MOST);
@@ -253,9 +250,8 @@ static void test_many_hits(void **state)
 }
 
 /* ties: the lowest index, whatever the order of insertion and the method */
-static void test_ties(void **state)
+TEST(test_ties)
 {
-    (void)state;
     for (int method = 0; method < wfBroadPhaseCount; method++) {
         begin_world(40);
         for (int32_t i = 0; i < 40; i++) {
@@ -294,9 +290,8 @@ static int check_list(const int32_t *want, int32_t n, int kind, const void *what
     return n;
 }
 
-static void test_overlaps(void **state)
+TEST(test_overlaps)
 {
-    (void)state;
     wfRandom r = random_stream(3);
     static int32_t want[MOST];
     int found[3] = { 0 }, held = 0;
@@ -342,9 +337,8 @@ static void test_overlaps(void **state)
 }
 
 /* areas beyond all bounds, without width, and such that only touch; by hand */
-static void test_odd_areas(void **state)
+TEST(test_odd_areas)
 {
-    (void)state;
     begin_world(4);
     world.shapes[0] = box(1, 1);
     world.shapes[1] = circle(0, 0, 1);
@@ -386,9 +380,8 @@ static void test_odd_areas(void **state)
     }
 }
 
-static void test_closest(void **state)
+TEST(test_closest)
 {
-    (void)state;
     wfRandom r = random_stream(4);
     int found = 0, none = 0;
     for (int i = 0; i < 60; i++) {
@@ -428,9 +421,8 @@ static bool same_closest(wfClosest a, wfClosest b)
 }
 
 /* a shape asks how far it is from the set: the distances of all pairs, the least of them, the lowest index */
-static void test_distance(void **state)
+TEST(test_distance)
 {
-    (void)state;
     wfRandom r = random_stream(14);
     int apart = 0, over = 0, none = 0;
     for (int i = 0; i < 40; i++) {
@@ -463,9 +455,8 @@ static void test_distance(void **state)
 
 /* A box of 2 m between a wall at x = 5 and a ball about (-7, 1): 4 m to the wall, 5 m to the ball. Turned by 45 degrees
    its corner comes nearer by sqrt(2) - 1. In front of the wall's twin the lower index answers. The same at every size. */
-static void test_distance_by_hand(void **state)
+TEST(test_distance_by_hand)
 {
-    (void)state;
     for (int size = -10; size <= 10; size += 5)
         for (int method = 0; method < wfBroadPhaseCount; method++) {
             wfReal k = (wfReal)ldexp(1, size);
@@ -504,9 +495,8 @@ static void test_distance_by_hand(void **state)
 }
 
 /* a distance so small that a share of it is zero: the search must end */
-static void test_tiny_distance(void **state)
+TEST(test_tiny_distance)
 {
-    (void)state;
     wfClosest c;
     begin_world(100);
     for (int32_t i = 0; i < 100; i++) world.places[i].p = wfV2(i == 0 ? (wfReal)(WF_EPSILON == FLT_EPSILON ? 1e-45 : 5e-324) : 1, 0);
@@ -518,9 +508,8 @@ static void test_tiny_distance(void **state)
 }
 
 /* the search begins with all of the world, and yet looks at few */
-static void test_work(void **state)
+TEST(test_work)
 {
-    (void)state;
     wfRandom r = random_stream(5);
     begin_world(MOST);
     for (int32_t i = 0; i < MOST; i++) {
@@ -564,9 +553,8 @@ static void test_work(void **state)
 }
 
 /* a group that never meets: the eye's ray does not see the body that it starts in */
-static void test_groups(void **state)
+TEST(test_groups)
 {
-    (void)state;
     begin_world(3);
     world.shapes[0] = circle(0, 0, 1);
     world.shapes[1] = circle(3, 0, 1);
@@ -591,9 +579,8 @@ static wfTransform nowhere(const void *context, int32_t i)
 }
 
 /* every call with every wrong argument: the error, and the answers untouched */
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfRandom r = random_stream(6);
     random_world(&r, 10, 2);
     for (int i = 0; i < 10; i++) world.flags[i] = WF_PROXY_LIVE;
@@ -719,24 +706,4 @@ static void test_bad_input(void **state)
     assert_int_equal(c.shape, WF_NO_SHAPE);
     assert_ok(wfSetOverlap(&x, &s, id, NULL, list, 10, &n));
     assert_int_equal(n, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rays),
-        cmocka_unit_test(test_shape_casts),
-        cmocka_unit_test(test_many_hits),
-        cmocka_unit_test(test_ties),
-        cmocka_unit_test(test_overlaps),
-        cmocka_unit_test(test_odd_areas),
-        cmocka_unit_test(test_closest),
-        cmocka_unit_test(test_distance),
-        cmocka_unit_test(test_distance_by_hand),
-        cmocka_unit_test(test_tiny_distance),
-        cmocka_unit_test(test_work),
-        cmocka_unit_test(test_groups),
-        cmocka_unit_test(test_bad_input),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -83,9 +83,8 @@ static double give_of(double f, double K, int substeps)
     return 1.1 * f * h * h * (double)WF_JOINT_COMPLIANCE * K / (2 * beta);
 }
 
-static void test_all_rows_are_kept(void **unused)
+TEST(test_all_rows_are_kept)
 {
-    (void)unused;
     for (int kind = 0; kind < 5; kind++)
         for (int round = 0; round < 6; round++) {
             machine(kind, 3 + round);
@@ -100,9 +99,8 @@ static void test_all_rows_are_kept(void **unused)
 }
 
 /* Joint by joint and all at once are the same law: with many passes and substeps they go the same way. */
-static void test_agrees_with_passes(void **unused)
+TEST(test_agrees_with_passes)
 {
-    (void)unused;
     wfVec2 end[2];
     for (int exact = 0; exact < 2; exact++) {
         seed = 11;
@@ -115,9 +113,8 @@ static void test_agrees_with_passes(void **unused)
     assert_near2(end[0], end[1], 0.02);                             /* joints that give: m g / k of eq:joints-period, a third of a second */
 }
 
-static void test_weight_of_a_chain(void **unused)
+TEST(test_weight_of_a_chain)
 {
-    (void)unused;
     begin();
     for (int i = 1; i <= 40; i++) add_body(0, 0.5 - i, 1);
     for (int i = 1; i <= 40; i++) {
@@ -133,9 +130,8 @@ static void test_weight_of_a_chain(void **unused)
     assert_near(error, 0, 64 * 40 * (double)WF_EPSILON + give_of(9.81 * 40, 2, 4));
 }
 
-static void test_heavy_load(void **unused)
+TEST(test_heavy_load)
 {
-    (void)unused;
     begin();
     for (int i = 1; i <= 20; i++) add_body(0, 0.5 - i, i == 20 ? 1000 : 1);
     for (int i = 1; i <= 20; i++) joint[joints++] = wfMakeRevoluteJoint(i - 1, &state[i - 1], i, &state[i], wfV2(0, (wfReal)(1 - i)));
@@ -160,9 +156,8 @@ static wfExactCount count_of(void)
     return c;
 }
 
-static void test_fill(void **unused)
+TEST(test_fill)
 {
-    (void)unused;
     for (int n = 4; n <= 256; n *= 4) {
         machine(0, n);
         wfExactCount c = count_of();
@@ -187,9 +182,8 @@ static void test_fill(void **unused)
 }
 
 /* The wall couples nobody. */
-static void test_pendulums_are_apart(void **unused)
+TEST(test_pendulums_are_apart)
 {
-    (void)unused;
     begin();
     for (int i = 1; i <= 100; i++) add_body(i, -1, 1), tie("revolute", 0, i);
     wfExactCount c = count_of();
@@ -197,9 +191,8 @@ static void test_pendulums_are_apart(void **unused)
     assert_int_equal(c.pairs, 0);
 }
 
-static void test_too_entangled(void **unused)
+TEST(test_too_entangled)
 {
-    (void)unused;
     machine(3, 60);
     wfExactCount c = { 7, 7, 7 };
     wfPoolInit(&pool, sizeof memory, memory);
@@ -211,9 +204,8 @@ static void test_too_entangled(void **unused)
     assert_result(WF_ERROR_FULL, wfStepJoints(&in));
 }
 
-static void test_broken_joints_are_left_out(void **unused)
+TEST(test_broken_joints_are_left_out)
 {
-    (void)unused;
     begin();
     for (int i = 1; i <= 6; i++) add_body(i, 0, 1), tie("revolute", i - 1, i);
     joint[3].flags = WF_JOINT_BROKEN;
@@ -226,9 +218,8 @@ static void test_broken_joints_are_left_out(void **unused)
     assert_near2(v, wfV2(0, WF_R(-9.81) / 2), 1e-3);                /* the part that fell off falls freely */
 }
 
-static void test_bad_input(void **unused)
+TEST(test_bad_input)
 {
-    (void)unused;
     wfExactCount c;
     wfJointSet set = { .count = 0 };
     wfSolve in = { .bodyCount = 0 };
@@ -271,9 +262,8 @@ static double energy_of(void)
 
 /* Every kind that holds: two bodies that fly, joined, without forces. The rows of the chord do no work (eq:exact-work), so
    the kinetic energy stays to rounding, whatever the turn in a substep; with tangents it would be wrong in the third order. */
-static void test_every_kind_keeps_energy(void **unused)
+TEST(test_every_kind_keeps_energy)
 {
-    (void)unused;
     int tried = 0;
     for (int kind = 0; kind < wfJointKinds; kind++)
         for (int round = 0; round < 4; round++) {
@@ -302,9 +292,8 @@ static void test_every_kind_keeps_energy(void **unused)
     assert_true(tried >= 4 * 7);
 }
 
-static void test_pendulum(void **unused)
+TEST(test_pendulum)
 {
-    (void)unused;
     double a = 1, b = sqrt(0.5);
     for (int i = 0; i < 40; i++) { double m = (a + b) / 2; b = sqrt(a * b); a = m; }
     double exact = 2 * 3.14159265358979 * sqrt((1 + 1 / 6.0) / 9.81) / a, first = 0, last = 0, off = 0;
@@ -329,9 +318,8 @@ static void test_pendulum(void **unused)
 
 /* A ton on twenty kilograms, with four substeps, taut and slack in turns: no energy is gained. What rounding lets through is
    a gap of some eps times the pull of 1e4 N: 1e-4 of the 2e5 J at most. */
-static void test_swinging_load(void **unused)
+TEST(test_swinging_load)
 {
-    (void)unused;
     for (int degrees = 30; degrees <= 150; degrees += 40) {
         double angle = degrees * 3.14159265358979 / 180, most = 0, first, level = 0;
         begin();
@@ -358,9 +346,8 @@ static void test_swinging_load(void **unused)
 /* Eleven joints over a span of exactly ten planks: the rows contradict one another, and still it stands. What each joint
    gives is eq:exact-loss's spring, k = 2 beta / (h^2 gamma) with gamma = s K, K = 1/m or 2/m: sag d with pull T = W L / 8 d
    and a longer chain by 8 d^2 / 3 L. */
-static void test_straight_bridge(void **unused)
+TEST(test_straight_bridge)
 {
-    (void)unused;
     begin();
     for (int i = 1; i <= 10; i++) add_body(i - 0.5, 0, 1);
     for (int i = 1; i <= 10; i++) joint[joints++] = wfMakeRevoluteJoint(i - 1, &state[i - 1], i, &state[i], wfV2((wfReal)(i - 1), 0));
@@ -383,9 +370,8 @@ static void test_straight_bridge(void **unused)
 }
 
 /* A wheel on an axle through its middle, a particle at a nail: no arm has a length, and there is nothing to divide by. */
-static void test_no_arms(void **unused)
+TEST(test_no_arms)
 {
-    (void)unused;
     int32_t lost = 7;
     begin();
     add_body(0, 0, 1), add_body(0, 0, 2), add_body(0, 0, 1);
@@ -403,9 +389,8 @@ static void test_no_arms(void **unused)
 }
 
 /* What cannot be solved is counted, adds no energy and stays finite. */
-static void test_unsolvable_is_counted(void **unused)
+TEST(test_unsolvable_is_counted)
 {
-    (void)unused;
     int32_t lost = 0, all = 0;
     begin();
     for (int i = 1; i <= 8; i++) add_body(number(-1, 1), number(-1, 1), i % 2 ? 1 : 1000), forces[i].force = wfV2(0, 0);
@@ -422,9 +407,8 @@ static void test_unsolvable_is_counted(void **unused)
 }
 
 /* A chain, a car of three bodies and a dense block of joints in one set: judged apart, and the verdict can be kept. */
-static void test_machines(void **unused)
+TEST(test_machines)
 {
-    (void)unused;
     static uint8_t alone[2][MOST];
     static wfBodyState end[2][64];
     for (int known = 0; known < 2; known++) {
@@ -462,16 +446,4 @@ static void test_machines(void **unused)
         assert_int_equal(together, limit ? 8 + 1 : 1);              /* each with each: 210 blocks of 21 joints, and there is room for 168 */
         assert_true((set.together != NULL) == (together > 0));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_all_rows_are_kept), cmocka_unit_test(test_agrees_with_passes), cmocka_unit_test(test_weight_of_a_chain),
-        cmocka_unit_test(test_heavy_load), cmocka_unit_test(test_fill), cmocka_unit_test(test_pendulums_are_apart),
-        cmocka_unit_test(test_too_entangled), cmocka_unit_test(test_broken_joints_are_left_out), cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_every_kind_keeps_energy), cmocka_unit_test(test_pendulum), cmocka_unit_test(test_swinging_load),
-        cmocka_unit_test(test_straight_bridge), cmocka_unit_test(test_no_arms), cmocka_unit_test(test_unsolvable_is_counted), cmocka_unit_test(test_machines),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,5 @@
 /* The scenes of the extremes and their judges, without an engine. Exact answers must be called right, a slight fault
  * stable, a gross one failed; what is not finite always fails; what an adapter prints is read as it was printed. */
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "testing.h"
 #include "lab/extremes.h"
 
@@ -41,11 +38,10 @@ static void must_be(const char *verdict, const char *name, const Made *m, double
     assert_string_equal(judged(name, m, value, &error), verdict);
 }
 
-static void throws_are_held_against_the_parabola(void **state)
+TEST(throws_are_held_against_the_parabola)
 {
     static Made m;
     double error;
-    (void)state;
     rest(&m, 1, 2);
     *cell(&m, 2, 0, LAB_X) = 10;            /* (5, 10) m/s for 2 s, g = 10 */
     *cell(&m, 1, 0, LAB_Y) = 5;
@@ -58,11 +54,10 @@ static void throws_are_held_against_the_parabola(void **state)
     assert_string_equal(judged("throw", &m, 60, &error), "failed");
 }
 
-static void towers_may_neither_sink_nor_lean(void **state)
+TEST(towers_may_neither_sink_nor_lean)
 {
     static Made m;
     double error;
-    (void)state;
     rest(&m, 11, 10);
     for (int i = 0; i < ROWS; i++)
         for (int k = 1; k <= 10; k++) *cell(&m, i, k, LAB_Y) = k - 0.5;
@@ -76,11 +71,10 @@ static void towers_may_neither_sink_nor_lean(void **state)
 }
 
 /* eq:extremes-falling with a gap of 1 m: ten boxes have 550 J per kg to give. */
-static void what_falls_may_gain_nothing(void **state)
+TEST(what_falls_may_gain_nothing)
 {
     static Made m;
     double error;
-    (void)state;
     rest(&m, 11, 10);
     for (int i = 0; i < ROWS; i++)
         for (int k = 1; k <= 10; k++) *cell(&m, i, k, LAB_Y) = k - 0.5 + (i == 0 ? k : 0);
@@ -101,11 +95,10 @@ static void what_falls_may_gain_nothing(void **state)
     assert_string_equal(judged("falling", &m, 1, &error), "failed");
 }
 
-static void one_bullet_through_the_wall_is_a_failure(void **state)
+TEST(one_bullet_through_the_wall_is_a_failure)
 {
     static Made m;
     double error;
-    (void)state;
     rest(&m, 21, 1);
     for (int i = 0; i < ROWS; i++)
         for (int k = 1; k <= 20; k++) *cell(&m, i, k, LAB_X) = -0.1;
@@ -117,11 +110,10 @@ static void one_bullet_through_the_wall_is_a_failure(void **state)
 
 /* collisions of a disc of mass 1 between a wall and one of mass 100^k, by mirror images: the angle atan(1 / 10^k) fits floor(pi / angle)
  * times into a half circle, and each reflection turns the velocities (10^k u, v) by twice that angle, alternately mirrored (Galperin) */
-static void billiards_end_as_the_unfolded_billiard_says(void **state)
+TEST(billiards_end_as_the_unfolded_billiard_says)
 {
     static Made m;
     double error;
-    (void)state;
     for (int k = 0; k <= 3; k++) {
         double root = pow(10, k), angle = atan(1 / root);
         int n = (int)ceil(3.14159265358979323846 / angle - 1e-9) - 1;
@@ -144,11 +136,10 @@ static void billiards_end_as_the_unfolded_billiard_says(void **state)
     }
 }
 
-static void energy_and_momentum_are_asked_of_cradle_and_rod(void **state)
+TEST(energy_and_momentum_are_asked_of_cradle_and_rod)
 {
     static Made m;
     double error;
-    (void)state;
     rest(&m, 5, 3);
     *cell(&m, 2, 4, LAB_VX) = 1;
     assert_string_equal(judged("cradle", &m, 5, &error), "right");
@@ -168,13 +159,12 @@ static void energy_and_momentum_are_asked_of_cradle_and_rod(void **state)
 }
 
 /* On both sides of an edge: who stands where it should fall is caught as well as who falls where it should stand. */
-static void edges_are_asked_on_both_sides(void **state)
+TEST(edges_are_asked_on_both_sides)
 {
     static const struct { const char *name; double stands, falls; int body; } edge[] = {
         { "tip", 0.9, 1.1, 1 }, { "ladder", 1.1, 0.9, 2 }, { "arch", 1.1, 0.8, 10 } };
     static Made m;
     double error;
-    (void)state;
     for (int i = 0; i < 3; i++) {
         rest(&m, 21, 1);
         assert_string_equal(judged(edge[i].name, &m, edge[i].stands, &error), "right");
@@ -188,11 +178,10 @@ static void edges_are_asked_on_both_sides(void **state)
 /* A fall begins as half the acceleration times the square of the time. The box's is 3 g / 4 r times the sine of what its slope is over the
  * edge (eq:extremes-tip). The ladder's, far from its edge, without friction, is that of Lagrange: (L^2 + L^2 / 3) a = -g L cos for a thin one;
  * the friction of the axis makes it less, and none at the edge. */
-static void falls_begin_as_the_formula_says(void **state)
+TEST(falls_begin_as_the_formula_says)
 {
     static Made m;
     double error, a = 0.75 * 10 / sqrt(1.25) * sin(atan(0.55) - atan(0.5));
-    (void)state;
     rest(&m, 2, 0.01);
     *cell(&m, 2, 1, LAB_ANGLE) = a * 0.0001 / 2;
     assert_string_equal(judged("tip", &m, 1.1, &error), "right");
@@ -208,11 +197,10 @@ static void falls_begin_as_the_formula_says(void **state)
     }
 }
 
-static void sums_of_chains_and_rods_are_kept(void **state)
+TEST(sums_of_chains_and_rods_are_kept)
 {
     static Made m;
     double error;
-    (void)state;
     rest(&m, 3, 10);
     for (int i = 0; i < ROWS; i++) {                    /* hanging down, without what they fell for */
         *cell(&m, i, 1, LAB_X) = 1;
@@ -240,10 +228,9 @@ static void sums_of_chains_and_rods_are_kept(void **state)
     assert_string_equal(judged("free", &m, 10, &error), "failed");
 }
 
-static void plates_are_judged_where_they_are(void **state)
+TEST(plates_are_judged_where_they_are)
 {
     static Made m;
-    (void)state;
     rest(&m, 21, 1);
     for (int i = 0; i < ROWS; i++)
         for (int k = 0; k <= 20; k++) *cell(&m, i, k, LAB_X) = k == 0 ? i : i - 0.1;
@@ -253,11 +240,10 @@ static void plates_are_judged_where_they_are(void **state)
 }
 
 /* After a fall of t_f a ball with e = 1/2 is at its next peak at 1.5 t_f, a quarter as high, and at rest from 3 t_f on (eq:extremes-zeno). */
-static void bounces_end_where_their_sum_does(void **state)
+TEST(bounces_end_where_their_sum_does)
 {
     static Made m;
     double error, fall = sqrt(2 * 3.3 / 10);
-    (void)state;
     rest(&m, 2, 3 * fall);
     *cell(&m, 0, 1, LAB_Y) = 3.3 + 0.5;
     *cell(&m, 1, 1, LAB_Y) = 3.3 / 4 + 0.5;
@@ -282,11 +268,10 @@ static void bounces_end_where_their_sum_does(void **state)
     must_be("failed", "heights", &m, 0.83);
 }
 
-static void a_cradle_hands_on_its_height(void **state)
+TEST(a_cradle_hands_on_its_height)
 {
     static Made m;
     double error;
-    (void)state;
     rest(&m, 4, 1.7);
     for (int i = 0; i < ROWS; i++)
         for (int k = 1; k <= 3; k++) *cell(&m, i, k, LAB_X) = k - 1;
@@ -301,11 +286,10 @@ static void a_cradle_hands_on_its_height(void **state)
 }
 
 /* down a slope of 0.6 with nine tenths of the friction that would hold it: m g sin less mu m g cos, for a second */
-static void planks_slip_by_what_friction_lacks(void **state)
+TEST(planks_slip_by_what_friction_lacks)
 {
     static Made m;
     double error, a = atan(0.6), way = 10 * (sin(a) - 0.9 * 0.6 * cos(a)) / 2;
-    (void)state;
     rest(&m, 2, 1);
     must_be("right", "slip", &m, 1.1);
     must_be("failed", "slip", &m, 0.9);
@@ -321,10 +305,9 @@ static void planks_slip_by_what_friction_lacks(void **state)
 }
 
 /* The same seconds at every rate, in steps of 1/rate, and enough rows to see them by. */
-static void rates_are_of_the_same_time(void **state)
+TEST(rates_are_of_the_same_time)
 {
     static const struct { const char *name; double seconds; } rows[] = { { "throw", 2 }, { "tower-rate", 10 }, { "chain-rate", 5 } };
-    (void)state;
     for (int r = 0; r < 3; r++)
         for (int k = 0; k < extreme(rows[r].name)->count; k++) {
             double rate = extreme(rows[r].name)->value[k];
@@ -339,10 +322,9 @@ static void rates_are_of_the_same_time(void **state)
         }
 }
 
-static void what_is_not_finite_fails_in_every_scene(void **state)
+TEST(what_is_not_finite_fails_in_every_scene)
 {
     static Made m;
-    (void)state;
     for (int k = 0; k < labExtremeCount; k++) {
         const labExtreme *e = &labExtremeTable[k];
         assert_true(e->count >= 3 && e->count <= 10 && e->few >= 2 && e->few <= e->count);
@@ -354,7 +336,7 @@ static void what_is_not_finite_fails_in_every_scene(void **state)
     }
 }
 
-static void what_was_printed_is_read(void **state)
+TEST(what_was_printed_is_read)
 {
     static const char good[] = "# an engine\nstep,time,pairs,points,mean,top,x0,y0,a0,vx0,vy0,w0\n"
         "0,0,1,2,3,4,0.5,-1e-3,0,1,2,3\n1,0.25,1,2,3,4,nan,inf,0,1,2,7\n# clock: x ms\n";
@@ -362,7 +344,6 @@ static void what_was_printed_is_read(void **state)
         "0,0,1,2,3,4,1,1,1,1,1,1\n1,0,1,2,3,4,1,1,1\n", "0,0,1,2,3,4,1,1,1,1,1,1\n1,x,1,2,3,4,1,1,1,1,1,1\n" };
     char name[L_tmpnam];
     labTrace t;
-    (void)state;
     snprintf(name, sizeof name, "%s", "build/t34.csv");
     for (int i = -1; i < (int)(sizeof bad / sizeof *bad); i++) {
         FILE *f = fopen(name, "w");
@@ -382,23 +363,4 @@ static void what_was_printed_is_read(void **state)
     }
     remove(name);
     assert_int_not_equal(labReadTrace("build/there/is/no/such/file", &t), 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(throws_are_held_against_the_parabola),
-        cmocka_unit_test(towers_may_neither_sink_nor_lean),
-        cmocka_unit_test(what_falls_may_gain_nothing),
-        cmocka_unit_test(one_bullet_through_the_wall_is_a_failure),
-        cmocka_unit_test(billiards_end_as_the_unfolded_billiard_says),
-        cmocka_unit_test(energy_and_momentum_are_asked_of_cradle_and_rod),
-        cmocka_unit_test(edges_are_asked_on_both_sides), cmocka_unit_test(falls_begin_as_the_formula_says),
-        cmocka_unit_test(sums_of_chains_and_rods_are_kept), cmocka_unit_test(plates_are_judged_where_they_are),
-        cmocka_unit_test(bounces_end_where_their_sum_does), cmocka_unit_test(a_cradle_hands_on_its_height),
-        cmocka_unit_test(planks_slip_by_what_friction_lacks),
-        cmocka_unit_test(rates_are_of_the_same_time), cmocka_unit_test(what_is_not_finite_fails_in_every_scene),
-        cmocka_unit_test(what_was_printed_is_read),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,5 @@
 /* Every scene of the extremes is a scene that the engine reads, and at its tamest value the engine is right in it, in floats
  * and in doubles, but for the hung cradle and the falling boxes, in which it is only stable. (At the wilder ones it need not be: they are measured, not tested.) */
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "testing.h"
 #include "lab/extremes.h"
 #include "weft/json.h"
@@ -60,9 +57,8 @@ static const char *played(const labExtreme *e, double value, double *error, doub
     return verdict;
 }
 
-static void the_tamest_of_each_is_right(void **state)
+TEST(the_tamest_of_each_is_right)
 {
-    (void)state;
     for (int i = 0; i < labExtremeCount; i++) {
         const labExtreme *e = &labExtremeTable[i];
         double error, harm;
@@ -74,9 +70,8 @@ static void the_tamest_of_each_is_right(void **state)
 }
 
 /* All values build scenes that can be read, bodies and joints counted; large ones are not stepped. */
-static void the_wildest_can_be_read(void **state)
+TEST(the_wildest_can_be_read)
 {
-    (void)state;
     for (int i = 0; i < labExtremeCount; i++)
         for (int k = 0; k < labExtremeTable[i].count; k++) {
             labScene s;
@@ -93,13 +88,4 @@ static void the_wildest_can_be_read(void **state)
             assert_int_equal(wfBodyCount(&world), s.bodies);
             wfDestroyWorld(&world);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_tamest_of_each_is_right),
-        cmocka_unit_test(the_wildest_can_be_read),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -95,9 +95,8 @@ static void check_slope(Rig *rig, wfForce f, int i, double d, double rough)
     assert_near(got.torque, -slope[2], allowed);
 }
 
-static void test_force_is_minus_the_slope_of_energy(void **s)
+TEST(test_force_is_minus_the_slope_of_energy)
 {
-    (void)s;
     wfRandom r = random_stream(9);
     for (int k = 0; k < 100; k++) {
         Rig rig = new_rig(2);
@@ -125,9 +124,8 @@ static void test_force_is_minus_the_slope_of_energy(void **s)
 
 /* The energy of the displaced water: its second derivative jumps where a corner meets the surface, so the error is of the
    order of d times the width. */
-static void test_buoyancy_is_minus_the_slope_of_its_energy(void **s)
+TEST(test_buoyancy_is_minus_the_slope_of_its_energy)
 {
-    (void)s;
     wfRandom r = random_stream(90);
     for (int k = 0; k < 200; k++) {
         Rig rig = new_rig(1);
@@ -141,9 +139,8 @@ static void test_buoyancy_is_minus_the_slope_of_its_energy(void **s)
 
 /* ---- closed forms --------------------------------------------------------------------------------------------------- */
 
-static void test_gravity(void **s)
+TEST(test_gravity)
 {
-    (void)s;
     Rig rig = new_rig(3);
     rig.props[1].gravityScale = -0.5f;
     assert_ok(wfSetBodyType(&rig.state[2], &rig.props[2], WF_STATIC));
@@ -158,9 +155,8 @@ static void test_gravity(void **s)
     assert_ulps(energy(&rig, one), 2 * (-3 + 40), 4, 80);
 }
 
-static void test_point_gravity(void **s)
+TEST(test_point_gravity)
 {
-    (void)s;
     Rig rig = new_rig(2);
     rig.state[0].p = wfV2(4, 6);
     rig.state[1].p = wfV2(1, 2);                                    /* 5 m away */
@@ -189,9 +185,8 @@ static void test_point_gravity(void **s)
     assert_near(energy(&rig, f), 0, 0);
 }
 
-static void test_spring(void **s)
+TEST(test_spring)
 {
-    (void)s;
     Rig rig = new_rig(2);
     rig.state[0].p = wfV2(3, 4);
     rig.state[0].v = wfV2(1, 0);
@@ -218,9 +213,8 @@ static void test_spring(void **s)
 
 /* Forces between two bodies come in pairs along one line: neither momentum nor angular momentum about any point changes; and
    damping takes energy away, never adds any. */
-static void test_pairs_conserve(void **s)
+TEST(test_pairs_conserve)
 {
-    (void)s;
     wfRandom r = random_stream(91);
     for (int k = 0; k < 200; k++) {
         Rig rig = new_rig(2);
@@ -248,9 +242,8 @@ static void test_pairs_conserve(void **s)
     }
 }
 
-static void test_bungee_only_pulls(void **s)
+TEST(test_bungee_only_pulls)
 {
-    (void)s;
     Rig rig = new_rig(1);
     wfForce f = wfBungee(0, wfV2(0, 0), -1, wfV2(0, 0), 2, 10, 5);
     rig.state[0].p = wfV2(0, -1);
@@ -270,9 +263,8 @@ static void test_bungee_only_pulls(void **s)
     assert_near2(rig.out[0].force, wfV2(0, 0), 0);
 }
 
-static void test_drag(void **s)
+TEST(test_drag)
 {
-    (void)s;
     Rig rig = new_rig(1);
     rig.state[0].v = wfV2(3, -4);
     apply(&rig, wfDrag(2, 0), 0);
@@ -337,9 +329,8 @@ static Part strips(const wfShape *s, wfTransform at, double level)
     return p;
 }
 
-static void test_submerged_part(void **s)
+TEST(test_submerged_part)
 {
-    (void)s;
     wfRandom r = random_stream(92);
     for (int k = 0; k < 900; k++) {
         wfShape shape = k & 1 ? random_polygon(&r) : disk((double)wfRandomReal(&r, WF_R(0.3), 1));
@@ -360,9 +351,8 @@ static void test_submerged_part(void **s)
 }
 
 /* Drowned, a coat's part is the whole shape, with the numbers of its shape; half a capsule is a capsule's half; bare segments displace nothing. */
-static void test_submerged_coats(void **s)
+TEST(test_submerged_coats)
 {
-    (void)s;
     wfRandom r = random_stream(94);
     for (int k = 0; k < 300; k++) {
         wfShape shape = random_polygon(&r);
@@ -392,9 +382,8 @@ static void test_submerged_coats(void **s)
 }
 
 /* Exact cases: dry, drowned, half. And slivers: area 4/3 sqrt(2r) d^1.5 for a circle, half the square for a tilted box. */
-static void test_submerged_cases(void **s)
+TEST(test_submerged_cases)
 {
-    (void)s;
     wfShape b = box(1, 0.5), c = disk(2);
     wfTransform at = wfMakeTransform(wfV2(3, 1), 0);
     assert_near(wfSubmergedPart(&b, at, WF_R(0.5)).area, 0, 0);
@@ -421,9 +410,8 @@ static void test_submerged_cases(void **s)
 }
 
 /* Archimedes: force up at the centroid of what is wet; drag against motion, and at the same place. */
-static void test_buoyancy(void **s)
+TEST(test_buoyancy)
 {
-    (void)s;
     Rig rig = new_rig(1);
     give_shape(&rig, 0, box(1, 0.5));
     rig.state[0].angle = WF_R(0.25);
@@ -454,9 +442,8 @@ static void test_buoyancy(void **s)
 /* Every body of half the water's density, thrown in at random, comes to rest floating on it: half its area under water, no
    torque left. The report's did not settle. Steps: symplectic Euler, 1/60 s, 120 s; what is left of the motion decays
    at least as fast as exp(-t/4): 1e-13 of 10 m/s. */
-static void test_floats_and_settles(void **s)
+TEST(test_floats_and_settles)
 {
-    (void)s;
     wfRandom r = random_stream(93);
     for (int k = 0; k < 40; k++) {
         Rig rig = new_rig(1);
@@ -492,9 +479,8 @@ static void test_floats_and_settles(void **s)
 
 /* ---- blasts and winds ------------------------------------------------------------------------------------------------ */
 
-static void test_seen_width(void **s)
+TEST(test_seen_width)
 {
-    (void)s;
     wfShape b = box(2, 0.5), c = disk(3);
     wfVec2 middle;
     wfTransform at = wfMakeTransform(wfV2(1, 2), 0);
@@ -528,9 +514,8 @@ static void test_seen_width(void **s)
 }
 
 /* The sum of the pulse over any steps that fit D a whole number of times (2 or more) is 1, whatever the phase. */
-static void test_explosion_gives_its_impulse(void **s)
+TEST(test_explosion_gives_its_impulse)
 {
-    (void)s;
     wfRandom r = random_stream(94);
     for (int n = 2; n <= 9; n++) {
         Rig rig = new_rig(1);
@@ -546,9 +531,8 @@ static void test_explosion_gives_its_impulse(void **s)
     }
 }
 
-static void test_explosion_in_space(void **s)
+TEST(test_explosion_in_space)
 {
-    (void)s;
     Rig rig = new_rig(4);
     give_shape(&rig, 0, box(1, 0.5));
     rig.state[0].p = wfV2(3, 0);                                    /* shows 1 m of side */
@@ -578,9 +562,8 @@ static void test_explosion_in_space(void **s)
     assert_ulps(rig.out[0].torque, -24, 16, 48);
 }
 
-static void test_wind(void **s)
+TEST(test_wind)
 {
-    (void)s;
     Rig rig = new_rig(2);
     give_shape(&rig, 0, box(1, 0.5));
     rig.state[0].v = wfV2(1, 0);
@@ -611,9 +594,8 @@ static wfForce any_force(int kind)
 
 static bool pushed(const Rig *rig, int i) { return rig->out[i].force.x != 0 || rig->out[i].force.y != 0 || rig->out[i].torque != 0; }
 
-static void test_who_feels_a_force(void **s)
+TEST(test_who_feels_a_force)
 {
-    (void)s;
     for (int kind = 0; kind < WF_FORCE_KINDS_OF_CHAPTER_9; kind++) {
         Rig rig = new_rig(4);
         for (int i = 0; i < 4; i++) {
@@ -652,9 +634,8 @@ static void test_who_feels_a_force(void **s)
 }
 
 /* Body 0 may be the second one as well as any other: springs, ropes and suns are the same with a and b exchanged. */
-static void test_body_zero_is_a_body(void **s)
+TEST(test_body_zero_is_a_body)
 {
-    (void)s;
     Rig rig = new_rig(2);
     rig.state[0].p = wfV2(0, 0.5f);
     rig.state[1].p = wfV2(4, 3.5f);                                 /* 5 m away */
@@ -677,9 +658,8 @@ static void test_body_zero_is_a_body(void **s)
 }
 
 /* What can only move, and what can only turn: a push through the centre and beside it. */
-static void test_half_free_bodies(void **s)
+TEST(test_half_free_bodies)
 {
-    (void)s;
     Rig rig = new_rig(2);
     rig.state[0].invInertia = 0;                                    /* a particle of 2 kg */
     rig.state[1].invMass = 0;                                       /* a wheel on an axle */
@@ -701,9 +681,8 @@ static void test_half_free_bodies(void **s)
 }
 
 /* A spring to a body that is gone pulls nobody; one to a static body pulls one side. */
-static void test_spring_to_the_missing(void **s)
+TEST(test_spring_to_the_missing)
 {
-    (void)s;
     Rig rig = new_rig(2);
     rig.state[1].p = wfV2(5, 0);
     wfForce f = wfSpring(0, wfV2(0, 0), 1, wfV2(0, 0), 1, 3, 0);
@@ -725,9 +704,8 @@ static void test_spring_to_the_missing(void **s)
 
 /* ---- bad input -------------------------------------------------------------------------------------------------------- */
 
-static void test_bad_parameters(void **s)
+TEST(test_bad_parameters)
 {
-    (void)s;
     assert_result(WF_ERROR_NULL, wfCheckForce(NULL));
     wfForce f = wfGravity(wfV2(0, 0));
     f.kind = -1; assert_result(WF_ERROR_UNKNOWN, wfCheckForce(&f));
@@ -764,9 +742,8 @@ static void test_bad_parameters(void **s)
     for (size_t i = 0; i < sizeof good / sizeof *good; i++) assert_ok(wfCheckForce(&good[i]));
 }
 
-static void test_table(void **s)
+TEST(test_table)
 {
-    (void)s;
     assert_int_equal(wfFindForce(NULL), -1);
     assert_int_equal(wfFindForce("levitation"), -1);
     assert_int_equal(wfFindForce("spring"), WF_FORCE_SPRING);
@@ -775,20 +752,4 @@ static void test_table(void **s)
         assert_non_null(wfForceTable[i].text); assert_non_null(wfForceTable[i].apply);
         assert_in_range(wfForceTable[i].params, 0, WF_FORCE_PARAMS);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table), cmocka_unit_test(test_force_is_minus_the_slope_of_energy),
-        cmocka_unit_test(test_buoyancy_is_minus_the_slope_of_its_energy), cmocka_unit_test(test_gravity),
-        cmocka_unit_test(test_point_gravity), cmocka_unit_test(test_spring), cmocka_unit_test(test_pairs_conserve),
-        cmocka_unit_test(test_bungee_only_pulls), cmocka_unit_test(test_drag), cmocka_unit_test(test_submerged_part), cmocka_unit_test(test_submerged_coats),
-        cmocka_unit_test(test_submerged_cases), cmocka_unit_test(test_buoyancy), cmocka_unit_test(test_floats_and_settles),
-        cmocka_unit_test(test_seen_width), cmocka_unit_test(test_explosion_gives_its_impulse), cmocka_unit_test(test_explosion_in_space),
-        cmocka_unit_test(test_wind), cmocka_unit_test(test_who_feels_a_force), cmocka_unit_test(test_spring_to_the_missing), cmocka_unit_test(test_body_zero_is_a_body),
-        cmocka_unit_test(test_half_free_bodies),
-        cmocka_unit_test(test_bad_parameters),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,16 +14,14 @@ static wfBodyState body(double x, double y, double vx, double vy, double w, doub
 
 /* ------------------------------------------------------------------------------ the clamp */
 
-static void the_tangent_is_to_the_right_of_the_normal(void **unused)
+TEST(the_tangent_is_to_the_right_of_the_normal)
 {
-    (void)unused;
     assert_true(wfContactTangent(wfV2(0, 1)).x == 1 && wfContactTangent(wfV2(0, 1)).y == 0);
     assert_true(wfContactTangent(wfV2(1, 0)).x == 0 && wfContactTangent(wfV2(1, 0)).y == -1);
 }
 
-static void rubbing_by_hand(void **unused)
+TEST(rubbing_by_hand)
 {
-    (void)unused;
     /* A body of 2 kg, I = 4, its centre 3 above the point: K_t = 1/2 + 9/4 = 2.75. It slides at 5.5: 2 N s stop it. */
     static const struct { double vx, limit, belt, want; } c[] = { { 5.5, 9, 0, -2 }, { -5.5, 9, 0, 2 }, { 5.5, 1.5, 0, -1.5 },
         { -5.5, 1.5, 0, 1.5 }, { 5.5, 0, 0, 0 }, { 0, 9, 0, 0 }, { 5.5, 9, 2.75, -1 }, { 0, 9, -5.5, -2 }, { 0, 1, 5.5, 1 } };
@@ -45,9 +43,8 @@ static void rubbing_by_hand(void **unused)
     assert_true(still[0].v.x == 1 && still[1].v.x == 0);
 }
 
-static void rolling_resistance_by_hand(void **unused)
+TEST(rolling_resistance_by_hand)
 {
-    (void)unused;
     /* I = 2 and 3: 1/I + 1/I = 5/6. Relative spin 5: 6 N m s stop it. */
     static const struct { double wa, wb, limit, want; } c[] = { { 1, 6, 9, -6 }, { 6, 1, 9, 6 }, { 1, 6, 2, -2 }, { 6, 1, 2, 2 },
         { 3, 3, 9, 0 }, { 1, 6, 0, 0 } };
@@ -62,9 +59,8 @@ static void rolling_resistance_by_hand(void **unused)
     assert_true(wfApplyRollingResistance(&a, &b, 1) == 0 && a.w == 5 && b.w == -5);
 }
 
-static void surfaces_mix(void **unused)
+TEST(surfaces_mix)
 {
-    (void)unused;
     assert_true(wfMixRolling(WF_R(0.25), WF_R(0.5)) == WF_R(0.5) && wfMixRolling(WF_R(0.5), WF_R(0.25)) == WF_R(0.5));
     assert_true(wfMixSurfaceSpeed(2, WF_R(-0.5)) == WF_R(1.5));
 }
@@ -87,9 +83,8 @@ static wfBodyState random_body(wfRandom *r)
     return s;
 }
 
-static void rubbing_obeys_the_laws(void **unused)
+TEST(rubbing_obeys_the_laws)
 {
-    (void)unused;
     wfRandom r = random_stream(15);
     int stuck = 0, slid = 0;
     for (int i = 0; i < 5000; i++) {
@@ -131,9 +126,8 @@ static wfSolve problem(wfBodyState *s, int bodies, wfContact *c, int contacts, w
                       .iterations = 1, .positionCorrection = 1, .scratch = pool };
 }
 
-static void lists_with_friction_never_add_energy(void **unused)
+TEST(lists_with_friction_never_add_energy)
 {
-    (void)unused;
     enum { N = 8, C = 20 };
     wfRandom r = random_stream(151);
     int row = wfFindSolver("impulse-friction");
@@ -173,9 +167,8 @@ static void lists_with_friction_never_add_energy(void **unused)
     }
 }
 
-static void one_contact_with_everything_by_hand(void **unused)
+TEST(one_contact_with_everything_by_hand)
 {
-    (void)unused;
     /* A disc of 1 kg, r = 1, I = 1/2 comes down at 1 and along at 10, e = 0.5, mu = 0.2, rolling 0.1, spin 0: j = 1.5,
      * friction -0.3 (it would take -10/3 to stop it), w = -0.3 / 0.5 = -0.6; resistance at most 0.15: 0.15 / 0.5 = 0.3 back. */
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 10, -1, 0, 1, 0.5) };
@@ -229,9 +222,8 @@ static void steps(Bench *b, int n)
     }
 }
 
-static void a_box_stops_where_it_should_but_for_half_a_step(void **unused)
+TEST(a_box_stops_where_it_should_but_for_half_a_step)
 {
-    (void)unused;
     for (int hertz = 60; hertz <= 240; hertz *= 2) {
         Bench b;
         start(&b, false, hertz, 0.5);
@@ -247,9 +239,8 @@ static void a_box_stops_where_it_should_but_for_half_a_step(void **unused)
     }
 }
 
-static void a_slope_holds_up_to_the_slip_angle_but_for_the_creep(void **unused)
+TEST(a_slope_holds_up_to_the_slip_angle_but_for_the_creep)
 {
-    (void)unused;
     static const double steep[] = { 0.5, 0.95, 0.999, 1.001, 1.2 };
     for (int k = 0; k < 5; k++) {
         Bench b;
@@ -272,9 +263,8 @@ static void a_slope_holds_up_to_the_slip_angle_but_for_the_creep(void **unused)
     }
 }
 
-static void a_sliding_disc_begins_to_roll(void **unused)
+TEST(a_sliding_disc_begins_to_roll)
 {
-    (void)unused;
     for (int k = 1; k <= 3; k++) {
         Bench b;
         start(&b, true, 240, 0.1 * k);
@@ -293,9 +283,8 @@ static void a_sliding_disc_begins_to_roll(void **unused)
     }
 }
 
-static void rolling_resistance_slows_and_holds(void **unused)
+TEST(rolling_resistance_slows_and_holds)
 {
-    (void)unused;
     Bench b;
     start(&b, true, 240, 0.8);
     b.rollingResistance = WF_R(0.02);
@@ -318,9 +307,8 @@ static void rolling_resistance_slows_and_holds(void **unused)
     }
 }
 
-static void a_belt_takes_a_box_along(void **unused)
+TEST(a_belt_takes_a_box_along)
 {
-    (void)unused;
     for (int first = 0; first < 2; first++)                            /* the order of the bodies does not matter */
         for (int sign = -1; sign <= 1; sign += 2) {
             Bench b;
@@ -334,17 +322,4 @@ static void a_belt_takes_a_box_along(void **unused)
             assert_near(b.s[1].v.x, 2 * sign, 1e-4);
             assert_true(b.s[0].v.x == 0 && b.s[0].p.x == 0);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_tangent_is_to_the_right_of_the_normal), cmocka_unit_test(rubbing_by_hand),
-        cmocka_unit_test(rolling_resistance_by_hand), cmocka_unit_test(surfaces_mix), cmocka_unit_test(rubbing_obeys_the_laws),
-        cmocka_unit_test(lists_with_friction_never_add_energy), cmocka_unit_test(one_contact_with_everything_by_hand),
-        cmocka_unit_test(a_box_stops_where_it_should_but_for_half_a_step),
-        cmocka_unit_test(a_slope_holds_up_to_the_slip_angle_but_for_the_creep), cmocka_unit_test(a_sliding_disc_begins_to_roll),
-        cmocka_unit_test(rolling_resistance_slows_and_holds), cmocka_unit_test(a_belt_takes_a_box_along),
-    };
-    return cmocka_run_group_tests_name("15 friction", tests, NULL, NULL);
 }

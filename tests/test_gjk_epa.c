@@ -158,9 +158,8 @@ static double check(const wfShape *a, wfTransform xa, const wfShape *b, wfTransf
     return truth;
 }
 
-static void test_the_reference(void **state)
+TEST(test_the_reference)
 {
-    (void)state;
     wfShape a = box(2, 1), b = box(1, 1), c = circle(0, 0, 0.5);
     static const struct { double x, y, degrees, want; } cases[] = {
         { 4, 0, 0, 1 }, { 6, 6, 0, 5 }, { 2.75, 0, 0, -0.25 }, { 0, 0, 0, -2 }, { 0, -3, 0, 1 }, { 0, 2, 45, 1 - 1.4142135623730951 },
@@ -176,9 +175,8 @@ static void test_the_reference(void **state)
     assert_near(exact(&oa, &oc), -0.75, 1e-12);
 }
 
-static void test_by_hand(void **state)
+TEST(test_by_hand)
 {
-    (void)state;
     wfShape a = box(2, 1), b = box(1, 1), c = circle(0, 0, 0.5), dot0 = { .kind = WF_SHAPE_NONE };
     for (int turn = 0; turn < 360; turn += 30) {
         wfTransform xa = at(-3, 1, turn);
@@ -219,9 +217,8 @@ static void test_by_hand(void **state)
     }
 }
 
-static void test_random_pairs(void **state)
+TEST(test_random_pairs)
 {
-    (void)state;
     wfRandom r = random_stream(21);
     int overlap = 0, apart = 0;
     for (int i = 0; i < 20000; i++) {
@@ -237,9 +234,8 @@ static void test_random_pairs(void **state)
 }
 
 /* A marble beside a mountain: everything is relative to the greater coordinate. */
-static void test_unequal_sizes(void **state)
+TEST(test_unequal_sizes)
 {
-    (void)state;
     wfRandom r = random_stream(22);
     for (int i = 0; i < 6000; i++) {
         wfReal big = WF_R(1.0), small = i % 2 ? WF_R(0.001) : WF_R(0.03);
@@ -252,9 +248,8 @@ static void test_unequal_sizes(void **state)
 }
 
 /* A splinter kilometres away: its edge is shorter than the rounding of its corners as A sees them, and regions are guesswork. */
-static void test_far_splinters(void **state)
+TEST(test_far_splinters)
 {
-    (void)state;
     wfRandom r = random_stream(29);
     for (int i = 0; i < 20000; i++) {
         wfShape a = any_shape(&r, i % 2 ? 1 : WF_R(0.01)), b = any_shape(&r, WF_R(0.001));
@@ -265,9 +260,8 @@ static void test_far_splinters(void **state)
 }
 
 /* Random pairs brought into touch along the reference's own direction of approach, then moved by next to nothing. */
-static void test_touching(void **state)
+TEST(test_touching)
 {
-    (void)state;
     wfRandom r = random_stream(23);
     for (int i = 0; i < 8000; i++) {
         wfReal scale = i % 3 == 0 ? WF_R(0.001) : i % 3 == 1 ? 1 : 1000;
@@ -281,9 +275,8 @@ static void test_touching(void **state)
     }
 }
 
-static void test_degenerate_pairs(void **state)
+TEST(test_degenerate_pairs)
 {
-    (void)state;
     static const double sizes[] = { 0.001, 1, 1000 };
     for (int k = 0; k < 3; k++)
         for (int turn = 0; turn < 360; turn += 15) {
@@ -307,9 +300,8 @@ static void test_degenerate_pairs(void **state)
 }
 
 /* Nearly parallel edges at every angle down to the last bit, at every gap: the old way to make GJK run for ever. */
-static void test_nearly_parallel(void **state)
+TEST(test_nearly_parallel)
 {
-    (void)state;
     wfShape a = box(1, 1), b = box(3, 0.5);
     for (int e = 0; e < 30; e++)
         for (int g = -2; g <= 20; g++)
@@ -324,9 +316,8 @@ static void test_nearly_parallel(void **state)
 /* Every pair of kinds in the poses at which rules for separate kinds go wrong: axes that cross, lie on one line, end where the
    other begins, are parallel or nearly; cores that touch in a corner, along an edge, or are the same; coats far thinner and far
    thicker than their cores; at 1 mm, 1 m and 1 km. */
-static void test_degenerate_kinds(void **state)
+TEST(test_degenerate_kinds)
 {
-    (void)state;
     static const double sizes[] = { 0.001, 1, 1000 };
     for (int k = 0; k < 3; k++) {
         double z = sizes[k];
@@ -353,9 +344,8 @@ static void test_degenerate_kinds(void **state)
     }
 }
 
-static void test_swap_and_motion(void **state)
+TEST(test_swap_and_motion)
 {
-    (void)state;
     wfRandom r = random_stream(24);
     for (int i = 0; i < 4000; i++) {
         wfShape a = any_shape(&r, 1), b = any_shape(&r, 1);
@@ -375,9 +365,8 @@ static void test_swap_and_motion(void **state)
 }
 
 /* 10 km away, at places that a float holds, every bit is the same but for the points, which are rounded there. */
-static void test_far_from_the_origin(void **state)
+TEST(test_far_from_the_origin)
 {
-    (void)state;
     wfRandom r = random_stream(25);
     for (int i = 0; i < 1000; i++) {
         wfShape a = any_shape(&r, 1), b = any_shape(&r, 1);
@@ -394,9 +383,8 @@ static void test_far_from_the_origin(void **state)
 }
 
 /* The record: simplices that come nearer, each new point an answer; then edges; the row's answer is the same. */
-static void test_trace(void **state)
+TEST(test_trace)
 {
-    (void)state;
     wfRandom r = random_stream(26);
     static wfGjkTrace t;
     int walked = 0, grown = 0;
@@ -443,9 +431,8 @@ static void test_trace(void **state)
 
 /* The better the first direction, the fewer the answers: from centre to centre, wherever the bodies are turned. A worse guess, or
    a looser or a tighter end, is not wrong but dearer, and shows in the mean over regular polygons of 16 corners. */
-static void test_mean_steps(void **state)
+TEST(test_mean_steps)
 {
-    (void)state;
     wfShape wheel;
     wfVec2 v[16];
     for (int i = 0; i < 16; i++) v[i] = wfV2((wfReal)(2 + cos(i * 0.39269908169872414)), (wfReal)sin(i * 0.39269908169872414));
@@ -467,9 +454,8 @@ static void test_mean_steps(void **state)
    leaves what overlaps to GJK. */
 /* The point of a wedge sticks 1/16 into the core of a capsule from the side, well away from its ends. The shortest way out is
    across the capsule's side: the core with two corners owns the edge, whether it comes first or second. */
-static void test_a_segment_owns_its_side(void **state)
+TEST(test_a_segment_owns_its_side)
 {
-    (void)state;
     wfShape capsule, wedge;
     wfVec2 corners[3] = { wfV2(0, 0), wfV2(1, 4), wfV2(-1, 4) };
     assert_ok(wfMakeCapsule(wfV2(-3, 0), wfV2(3, 0), WF_R(0.25), &capsule));
@@ -490,9 +476,8 @@ static void test_a_segment_owns_its_side(void **state)
     }
 }
 
-static void test_walk(void **state)
+TEST(test_walk)
 {
-    (void)state;
     wfRandom r = random_stream(27);
     int walked = 0, left = 0;
     for (int i = 0; i < 20000; i++) {
@@ -516,9 +501,8 @@ static void test_walk(void **state)
     assert_true(left > 1000 && walked > 10000);
 }
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfShape b = box(1, 1), c = circle(0, 0, 1), odd = b, none = { .kind = WF_SHAPE_NONE };
     static wfGjkTrace t;
     wfTransform ok = at(0, 0, 0);
@@ -574,15 +558,4 @@ static void test_bad_input(void **state)
             assert_true(got == WF_OK || e > 60);
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_the_reference), cmocka_unit_test(test_by_hand), cmocka_unit_test(test_random_pairs),
-        cmocka_unit_test(test_unequal_sizes), cmocka_unit_test(test_far_splinters), cmocka_unit_test(test_touching), cmocka_unit_test(test_degenerate_pairs),
-        cmocka_unit_test(test_nearly_parallel), cmocka_unit_test(test_degenerate_kinds), cmocka_unit_test(test_swap_and_motion),
-        cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_trace), cmocka_unit_test(test_a_segment_owns_its_side), cmocka_unit_test(test_walk), cmocka_unit_test(test_mean_steps), cmocka_unit_test(test_bad_input),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -68,9 +68,8 @@ static void assert_colouring(const wfColouring *c, int32_t count)
     }
 }
 
-static void colours_share_no_body(void **unused)
+TEST(colours_share_no_body)
 {
-    (void)unused;
     wfRandom r = random_stream(3);
     for (int round = 0; round < 40; round++) {
         int32_t count = (int32_t)wfRandomBelow(&r, 300);
@@ -85,9 +84,8 @@ static void colours_share_no_body(void **unused)
 
 /* A hub with a hundred spokes: the first take a colour each, the others are left over, in the order of the list. A floor
    with a hundred things on it needs one colour. */
-static void what_is_left_over(void **unused)
+TEST(what_is_left_over)
 {
-    (void)unused;
     for (int fixed = 0; fixed < 2; fixed++) {
         for (int32_t i = 0; i < BODIES; i++) bodies[i] = (wfBodyState){ .invMass = i > 0 || !fixed };
         for (int32_t i = 0; i < 59; i++) ends[i] = i % 2 ? (wfPair){ 0, i + 1 } : (wfPair){ i + 1, 0 };
@@ -100,9 +98,8 @@ static void what_is_left_over(void **unused)
     }
 }
 
-static void no_memory(void **unused)
+TEST(no_memory)
 {
-    (void)unused;
     wfRandom r = random_stream(4);
     random_graph(&r, 200);
     for (size_t bytes = 0; bytes < 512; bytes += 16) {
@@ -158,9 +155,8 @@ static void shuffle_within_colours(wfRandom *r, int32_t count)
 
 /* The list is brought into the order of the colours, shuffled within each. By induction over the colours it is coloured
    as before: a constraint of colour k met one of each lower colour, and still does; those of its own do not touch it. */
-static void order_within_a_colour_does_not_matter(void **unused)
+TEST(order_within_a_colour_does_not_matter)
 {
-    (void)unused;
     wfRandom r = random_stream(5);
     for (int round = 0; round < 30; round++) {
         int32_t count = 90;
@@ -179,13 +175,4 @@ static void order_within_a_colour_does_not_matter(void **unused)
         for (int32_t i = 0; i < count; i++)
             assert_memory_equal(&shuffled[i].manifold, &contacts[shuffled[i].shapeA].manifold, sizeof(wfManifold));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(colours_share_no_body), cmocka_unit_test(what_is_left_over), cmocka_unit_test(no_memory),
-        cmocka_unit_test(order_within_a_colour_does_not_matter),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,5 @@
 /* Several contacts at once. The plain pass is the oracle, and nothing but the same bits will do. */
 #include <float.h>
-#include <math.h>
 #include "testing.h"
 #include "weft/resolve.h"
 #include "dynamics/colour.h"
@@ -37,9 +36,8 @@ static void lane_is(const wfLanes *v, int32_t i, wfReal want)
     else assert_true(same_bits(&got, &want, sizeof want));
 }
 
-static void numbers_in_lanes(void **unused)
+TEST(numbers_in_lanes)
 {
-    (void)unused;
     wfRandom r = random_stream(171);
     for (int round = 0; round < 3000; round++) {
         wfLanes a = odd_lanes(&r), b = odd_lanes(&r), zero = { 0 };
@@ -61,9 +59,8 @@ static void numbers_in_lanes(void **unused)
 }
 
 /* Four numbers of each of WF_LANES things, chosen from seven, turned and turned back; those that are not written stay. */
-static void squares_turn_round_and_back(void **unused)
+TEST(squares_turn_round_and_back)
 {
-    (void)unused;
     wfReal things[7][5], after[7][5];
     wfRandom r = random_stream(172);
     for (int round = 0; round < 200; round++) {
@@ -160,9 +157,8 @@ static void both_ways(int32_t count, int steps)
     }
 }
 
-static void lanes_give_the_same_bits(void **unused)
+TEST(lanes_give_the_same_bits)
 {
-    (void)unused;
     wfRandom r = random_stream(173);
     for (int round = 0; round < 160; round++) {
         Kind kind = { .rolls = round % 3 == 0, .bounces = round % 5 == 0, .deep = round % 4 == 0,
@@ -173,9 +169,8 @@ static void lanes_give_the_same_bits(void **unused)
 }
 
 /* Stacks are trees and are solved at once; what leans on them goes into bundles. Both in one step. */
-static void trees_beside_bundles(void **unused)
+TEST(trees_beside_bundles)
 {
-    (void)unused;
     int32_t count = 0;
     for (int32_t i = 0; i < BODIES; i++)
         start[i] = (wfBodyState){ .p = wfV2((wfReal)(i % 6), (wfReal)(i / 6)), .invMass = i >= 6, .invInertia = i >= 6 ? 6 : 0 };
@@ -196,9 +191,8 @@ static void trees_beside_bundles(void **unused)
 }
 
 /* Balls, each alone on something fixed, some with a neighbour that does not touch: eq:soft-alone both ways. */
-static void what_is_alone_goes_with_the_passes(void **unused)
+TEST(what_is_alone_goes_with_the_passes)
 {
-    (void)unused;
     wfRandom r = random_stream(176);
     for (int round = 0; round < 60; round++) {
         int32_t count = 0;
@@ -225,9 +219,8 @@ static void what_is_alone_goes_with_the_passes(void **unused)
 
 /* eq:soft-minus-zero: a wall whose velocity is minus zero, pushed from both sides. Taken one by one the first push makes it
    a plus zero for good; beside each other the last to write would leave the minus. */
-static void a_minus_zero_is_no_trouble(void **unused)
+TEST(a_minus_zero_is_no_trouble)
 {
-    (void)unused;
     columns = 0;        /* or these would be trees */
     wfRandom r = random_stream(175);
     for (int round = 0; round < 60; round++) {
@@ -246,9 +239,8 @@ static void a_minus_zero_is_no_trouble(void **unused)
     columns = 3;
 }
 
-static void too_little_room_changes_nothing(void **unused)
+TEST(too_little_room_changes_nothing)
 {
-    (void)unused;
     wfRandom r = random_stream(174);
     int32_t count = 0;
     while (count < 60) count = random_net(&r, (Kind){ .rolls = true, .bounces = true });
@@ -262,14 +254,4 @@ static void too_little_room_changes_nothing(void **unused)
         assert_true(same_bits(wide, start, sizeof start));
         assert_true(same_bits(many, given, sizeof given));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_in_lanes), cmocka_unit_test(squares_turn_round_and_back),
-        cmocka_unit_test(lanes_give_the_same_bits), cmocka_unit_test(trees_beside_bundles),
-        cmocka_unit_test(what_is_alone_goes_with_the_passes), cmocka_unit_test(a_minus_zero_is_no_trouble), cmocka_unit_test(too_little_room_changes_nothing),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,9 +39,8 @@ static wfSceneReport watched(int row, int *steps)
     return kept[row].report;
 }
 
-static void every_scene_keeps_its_promises(void **state)
+TEST(every_scene_keeps_its_promises)
 {
-    (void)state;
     assert_true(wfSceneCount() >= 20);
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);
@@ -57,9 +56,8 @@ static void every_scene_keeps_its_promises(void **state)
     }
 }
 
-static void every_scene_is_well_described(void **state)
+TEST(every_scene_is_well_described)
 {
-    (void)state;
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);
         if (!s->name || !s->name[0]) fail_msg("row %d of the scene table has no .name", i);
@@ -78,9 +76,8 @@ static void every_scene_is_well_described(void **state)
     assert_int_equal(wfFindScene("no such scene"), -1);
 }
 
-static void every_scene_has_its_hash(void **state)
+TEST(every_scene_has_its_hash)
 {
-    (void)state;
     bool doubles = sizeof(wfReal) == sizeof(double);
     FILE *f = fopen(doubles ? "tests/golden/scenes-double.csv" : "tests/golden/scenes.csv", "r");
     if (!f && doubles) skip();                      /* tests/run same_bits says that it is missing */
@@ -104,9 +101,8 @@ static void every_scene_has_its_hash(void **state)
     assert_true(rows >= 20);                        /* a student's scene may have no line */
 }
 
-static void a_scene_runs_the_same_again_and_in_lent_memory(void **state)
+TEST(a_scene_runs_the_same_again_and_in_lent_memory)
 {
-    (void)state;
     static _Alignas(WF_POOL_ALIGN) uint8_t permanent[16 * 1024 * 1024], transient[16 * 1024 * 1024];
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);
@@ -143,9 +139,8 @@ static wfResult build_doomed(wfWorld *world)
     return wfAddBodyToWorld(world, &def, NULL);
 }
 
-static void a_bad_scene_is_reported(void **state)
+TEST(a_bad_scene_is_reported)
 {
-    (void)state;
     wfScene bad = { .category = "x", .name = "bad", .text = "t", .chapter = "scenes", .build = build_badly, .viewHeight = 1 };
     wfSceneReport r = wfWatchScene(&bad, 10);
     assert_true(r.result != WF_OK);
@@ -157,9 +152,8 @@ static void a_bad_scene_is_reported(void **state)
     }
 }
 
-static void the_wandering_hand_stays_in_view(void **state)
+TEST(the_wandering_hand_stays_in_view)
 {
-    (void)state;
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);
         wfVec2 low = wfV2(WF_HUGE, WF_HUGE), high = wfV2(-WF_HUGE, -WF_HUGE);
@@ -176,9 +170,8 @@ static void the_wandering_hand_stays_in_view(void **state)
 }
 
 /* ---- what single scenes show ---- */
-static void tc01_distances_are_as_one_over_mass(void **state)
+TEST(tc01_distances_are_as_one_over_mass)
 {
-    (void)state;
     /* s = F t^2 / 2m is exact for a constant force: 1 N for 240 steps of 1/60 s, i.e. 8/m m. The rounding of the sum over
      * 240 steps of numbers below 16 is below 240 * eps * 16. */
     const wfScene *s = wfSceneAt(wfFindScene("TC01 masses"));
@@ -191,9 +184,8 @@ static void tc01_distances_are_as_one_over_mass(void **state)
     wfDestroyWorld(&world);
 }
 
-static void tc02_spin_grows_with_the_arm(void **state)
+TEST(tc02_spin_grows_with_the_arm)
 {
-    (void)state;
     const wfScene *s = wfSceneAt(wfFindScene("TC02 arms"));
     wfWorld world;
     assert_ok(wfOpenScene(s, NULL, &world));
@@ -209,9 +201,8 @@ static void tc02_spin_grows_with_the_arm(void **state)
     wfDestroyWorld(&world);
 }
 
-static void tc05_colours_follow_the_contacts(void **state)
+TEST(tc05_colours_follow_the_contacts)
 {
-    (void)state;
     const wfScene *s = wfSceneAt(wfFindScene("TC05 colours"));
     static uint8_t list[256 * 1024];
     static _Alignas(WF_POOL_ALIGN) uint8_t scratch[64 * 1024];
@@ -237,9 +228,8 @@ static void tc05_colours_follow_the_contacts(void **state)
     wfDestroyWorld(&world);
 }
 
-static void tc08_overlap_goes_and_no_velocity_comes(void **state)
+TEST(tc08_overlap_goes_and_no_velocity_comes)
 {
-    (void)state;
     const wfScene *s = wfSceneAt(wfFindScene("TC08 positional correction"));
     wfWorld world;
     wfSeparation gap;
@@ -259,9 +249,8 @@ static void tc08_overlap_goes_and_no_velocity_comes(void **state)
 }
 
 /* ---- drawing ---- */
-static void every_scene_and_overlay_can_be_drawn(void **state)
+TEST(every_scene_and_overlay_can_be_drawn)
 {
-    (void)state;
     static uint8_t list[2 * 1024 * 1024];    /* all overlays at once, and an extender's */
     static _Alignas(WF_POOL_ALIGN) uint8_t scratch[1024 * 1024];
     for (int i = 0; i < wfSceneCount(); i++) {
@@ -293,9 +282,8 @@ static bool near_to(const float xy[2], wfVec2 p)    /* bodies of one shape: its 
     return fabs((double)xy[0] - (double)p.x) < 1e-5 && fabs((double)xy[1] - (double)p.y) < 1e-5;
 }
 
-static void overlays_show_pairs_and_contacts_where_they_are(void **state)
+TEST(overlays_show_pairs_and_contacts_where_they_are)
 {
-    (void)state;
     static uint8_t list[1024 * 1024];
     static _Alignas(WF_POOL_ALIGN) uint8_t scratch[1024 * 1024];
     const wfScene *scene = wfSceneAt(wfFindScene("shapes"));
@@ -344,9 +332,8 @@ static wfSceneInput run_scene(const char *name, int steps, wfWorld *world)
     return in;
 }
 
-static void joints_are_drawn_where_they_hold_and_red_when_broken(void **state)
+TEST(joints_are_drawn_where_they_hold_and_red_when_broken)
 {
-    (void)state;
     static uint8_t list[1024 * 1024];
     static _Alignas(WF_POOL_ALIGN) uint8_t scratch[64 * 1024];
     wfWorld world;
@@ -383,9 +370,8 @@ static void joints_are_drawn_where_they_hold_and_red_when_broken(void **state)
     wfDestroyWorld(&world);
 }
 
-static void machines_do_what_their_texts_say(void **state)
+TEST(machines_do_what_their_texts_say)
 {
-    (void)state;
     wfWorld world;
     wfJoint j;
     /* Wheels 1 : 2 : 3 in gear (joints 4, 5 and 7 are the axles): turns as 1 : -1/2 : 1/3, within a degree. */
@@ -421,9 +407,8 @@ static void machines_do_what_their_texts_say(void **state)
 }
 
 /* Scenes of "What users ask, and the extremes": what the lines drawn in them promise. */
-static void asked_and_extreme_scenes_keep_their_lines(void **state)
+TEST(asked_and_extreme_scenes_keep_their_lines)
 {
-    (void)state;
     wfWorld world;
     /* Teleport: a step later the box touches only the tower on which it is; the tower that it left falls by a box. */
     run_scene("teleport", 122, &world);
@@ -526,9 +511,8 @@ static void asked_and_extreme_scenes_keep_their_lines(void **state)
 
 /* The six performance tests of the report (6.6): as many bodies as it says, nobody leaves the bin, no peg moves, and two
  * pegs make no pair. */
-static void as_many_bodies_as_the_report_had(void **state)
+TEST(as_many_bodies_as_the_report_had)
 {
-    (void)state;
     static const struct { const char *name; int falling, still; double halfWidth; } test[] = {
         { "a hundred bodies", 100, 0, 20 }, { "five hundred bodies", 500, 0, 20 }, { "a thousand bodies", 1000, 0, 20 },
         { "two thousand bodies", 2000, 0, 20 }, { "a thousand among pegs", 1000, 1000, 40 }, { "a thousand on pegs", 1000, 2000, 40 } };
@@ -566,9 +550,8 @@ static void as_many_bodies_as_the_report_had(void **state)
 }
 
 /* However many rows the integrator table has: each has its name and its circle in the scene's view, and no circle is in another. */
-static void every_integrator_has_its_orbit(void **state)
+TEST(every_integrator_has_its_orbit)
 {
-    (void)state;
     static uint8_t list[1024 * 1024];
     wfWorld world;
     wfDraw d;
@@ -608,9 +591,8 @@ static camera random_camera(wfRandom *r)
                      .high = (float)wfRandomReal(r, 100, 1500) };
 }
 
-static void the_camera_sees_where_it_should(void **state)
+TEST(the_camera_sees_where_it_should)
 {
-    (void)state;
     camera c = { .x = 3, .y = 5, .height = 10, .left = 100, .top = 50, .wide = 800, .high = 500 };
     float p[2], w[2];
     assert_near(camera_scale(&c), 50, 0);
@@ -637,9 +619,8 @@ static void the_camera_sees_where_it_should(void **state)
     assert_near(p[1], 0, 1e-3);
 }
 
-static void picking_inverts_seeing_and_zoom_keeps_the_point(void **state)
+TEST(picking_inverts_seeing_and_zoom_keeps_the_point)
 {
-    (void)state;
     wfRandom r = random_stream(30);
     for (int run = 0; run < 10000; run++) {
         camera c = random_camera(&r), before = c;
@@ -668,9 +649,8 @@ static void picking_inverts_seeing_and_zoom_keeps_the_point(void **state)
 }
 
 /* ---- the hand ---- */
-static void the_hand_follows_the_exact_recurrence(void **state)
+TEST(the_hand_follows_the_exact_recurrence)
 {
-    (void)state;
     /* A particle of 2 kg from rest at d0: d_n = (d0 + b n) mu^n, mu = 1/(1 + omega h); d_1 fixes b. Rounding: n steps of a
      * map whose powers are bounded by (1 + n); so n^2 eps |d0| is more than enough. */
     const double omegaH[] = { 0.01, 0.1, 0.5, 1, 3, 30 };
@@ -691,9 +671,8 @@ static void the_hand_follows_the_exact_recurrence(void **state)
     }
 }
 
-static void the_hand_gives_the_grip_its_velocity(void **state)
+TEST(the_hand_gives_the_grip_its_velocity)
 {
-    (void)state;
     wfRandom r = random_stream(31);
     for (int run = 0; run < 5000; run++) {
         wfBodyState b = { .p = random_v2(&r, -5, 5), .v = random_v2(&r, -5, 5), .w = wfRandomReal(&r, -5, 5),
@@ -723,11 +702,9 @@ static int is_scene(const play *p, const char *name)
     return strstr(p->text, line) == p->text;
 }
 
-static void pause_step_and_reset_work(void **state)
+TEST(pause_step_and_reset_work)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 900, 600, 1);
+    play p = play_open(900, 600, 1);
     play_run(&p, "scene stack-of-boxes\nwait 10\n");
     assert_true(is_scene(&p, "stack of boxes"));
     assert_int_equal((int)play_fact(&p, "steps", 0), 10);
@@ -754,11 +731,9 @@ static void pause_step_and_reset_work(void **state)
     play_end(&p);
 }
 
-static void scenes_are_chosen_by_keys_buttons_and_list(void **state)
+TEST(scenes_are_chosen_by_keys_buttons_and_list)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 3200, 1);                          /* as high as the list of scenes is long */
+    play p = play_open(1100, 3200, 1);                          /* as high as the list of scenes is long */
     play_run(&p, "steps 0\nframe\n");
     assert_true(is_scene(&p, "tumbler"));                   /* something goes on there */
     play_run(&p, "scene free-fall\nframe\nkey [\nframe\n");
@@ -780,11 +755,9 @@ static void scenes_are_chosen_by_keys_buttons_and_list(void **state)
     play_end(&p);
 }
 
-static void overlays_keys_and_views_answer(void **state)
+TEST(overlays_keys_and_views_answer)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene pyramid\nsteps 0\nframe\n");
     for (int i = 0; i < wfOverlayCount && wfOverlayTable[i].key; i++) {       /* the others: test_headless_seeing */
         double show = play_fact(&p, "show", 0);
@@ -811,11 +784,9 @@ static void overlays_keys_and_views_answer(void **state)
     play_end(&p);
 }
 
-static void a_body_is_held_dragged_and_thrown(void **state)
+TEST(a_body_is_held_dragged_and_thrown)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 20\n");
     char script[300];
     double px = play_fact(&p, "body 6", 2), py = play_fact(&p, "body 6", 3), x = play_fact(&p, "body 6", 0), y = play_fact(&p, "body 6", 1);
@@ -847,16 +818,14 @@ static void a_body_is_held_dragged_and_thrown(void **state)
     play_end(&p);
 }
 
-static void a_narrow_window_shows_the_whole_scene(void **state)
+TEST(a_narrow_window_shows_the_whole_scene)
 {
-    (void)state;
     /* 10 m of height want 15.9 m of width; 400 pixels of width give 400 / 15.9 pixels to the metre, 600 of height 60. */
     camera c = { .x = 0, .y = 0, .height = 10, .wide = 400, .high = 600 };
     assert_near(camera_scale(&c), 400 / 15.9, 1e-4);
     c.wide = 4000;
     assert_near(camera_scale(&c), 60, 1e-4);
-    play p;
-    play_begin(&p, 640, 480, 1);
+    play p = play_open(640, 480, 1);
     play_run(&p, "scene free-fall\nsteps 0\nframe\n");
     assert_int_equal((int)play_fact(&p, "list", 0), 0);      /* no room for it */
     play_click(&p, "List");
@@ -869,17 +838,15 @@ static void a_narrow_window_shows_the_whole_scene(void **state)
     assert_int_equal((int)play_fact(&p, "list", 0), 0);      /* and so does a click beside it */
     assert_int_equal((int)play_fact(&p, "chosen", 0), 0);
     play_end(&p);
-    play_begin(&p, 800, 480, 1);
+    p = play_open(800, 480, 1);
     play_run(&p, "steps 0\nframe\n");
     assert_int_equal((int)play_fact(&p, "list", 0), 1);
     play_end(&p);
 }
 
-static void bodies_behind_the_text_are_not_taken(void **state)
+TEST(bodies_behind_the_text_are_not_taken)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nsteps 0\nframe\n");
     /* Pull the world down until the top box is behind the lines at the lower edge, 20 pixels above it. */
     double px = play_fact(&p, "body 6", 2), py = play_fact(&p, "body 6", 3);
@@ -902,11 +869,9 @@ static void bodies_behind_the_text_are_not_taken(void **state)
     play_end(&p);
 }
 
-static void a_static_body_cannot_be_taken(void **state)
+TEST(a_static_body_cannot_be_taken)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene cradle\nsteps 0\nmove 300 350\nframe\n");
     play_run(&p, "move 222 350\ndown left\nframe\n");
     assert_int_equal((int)play_fact(&p, "held", 0), -1);
@@ -917,12 +882,11 @@ static const char *const LONG_PLAY = "scene shapes\nsteps 1\nwait 40\nmove 640 4
     "wait 20\nmove 800 300\nwait 10\nup left\nwait 10\nkey 1\nkey 5\nwheel -1\nwait 10\n";
 static const char *const SECOND_HALF = "key 3\nmove 500 300\nsteps 1\nwait 60\n";
 
-static void the_same_input_makes_the_same_pixels(void **state)
+TEST(the_same_input_makes_the_same_pixels)
 {
-    (void)state;
     play a, b;
-    play_begin(&a, 640, 480, 1);
-    play_begin(&b, 640, 480, 1);
+    a = play_open(640, 480, 1);
+    b = play_open(640, 480, 1);
     play_run(&a, LONG_PLAY);
     play_run(&b, LONG_PLAY);
     assert_memory_equal(a.buffer.pixels, b.buffer.pixels, 640 * 480 * 4);
@@ -931,12 +895,11 @@ static void the_same_input_makes_the_same_pixels(void **state)
     play_end(&b);
 }
 
-static void memory_moves_and_the_game_goes_on(void **state)
+TEST(memory_moves_and_the_game_goes_on)
 {
-    (void)state;
     play a, b;
-    play_begin(&a, 640, 480, 1);
-    play_begin(&b, 640, 480, 1);
+    a = play_open(640, 480, 1);
+    b = play_open(640, 480, 1);
     play_run(&a, LONG_PLAY);
     memcpy(b.memory.permanent, a.memory.permanent, GAME_PERMANENT_SIZE);
     memset(b.memory.transient, 0x5a, GAME_TRANSIENT_SIZE);          /* transient memory may hold anything */
@@ -948,11 +911,9 @@ static void memory_moves_and_the_game_goes_on(void **state)
     play_end(&b);
 }
 
-static void the_clock_decides_when_asked(void **state)
+TEST(the_clock_decides_when_asked)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 320, 240, 1);
+    play p = play_open(320, 240, 1);
     play_run(&p, "scene free-fall\nsteps -1\nseconds 0.1\nwait 10\n");   /* 1 s, in frames of 6 steps */
     assert_in_range((int)play_fact(&p, "steps", 0), 59, 60);
     play_run(&p, "key r\nsteps -1\nseconds 3600\nframe\n");              /* a night's sleep: the bound */
@@ -960,13 +921,11 @@ static void the_clock_decides_when_asked(void **state)
     play_end(&p);
 }
 
-static void strange_pictures_are_survived(void **state)
+TEST(strange_pictures_are_survived)
 {
-    (void)state;
     const int sizes[][2] = { { 1, 1 }, { 64, 64 }, { 200, 50 }, { 3, 900 }, { 2000, 30 } };
     for (int i = 0; i < 5; i++) {
-        play p;
-        play_begin(&p, sizes[i][0], sizes[i][1], 1);
+        play p = play_open(sizes[i][0], sizes[i][1], 1);
         play_run(&p, "scene pyramid\nwait 3\nmove 2 2\ndown left\nkey ?\nkey d\nwait 3\nwheel 30\nframe\nwheel -60\nframe\n");
         p.buffer.scale = 0;
         play_run(&p, "wait 2\nclick left\nframe\n");
@@ -975,7 +934,7 @@ static void strange_pictures_are_survived(void **state)
         play_end(&p);
     }
     play p;                                         /* no pixels: updates all the same */
-    play_begin(&p, 640, 480, 1);
+    p = play_open(640, 480, 1);
     uint32_t *pixels = p.buffer.pixels;
     p.buffer.pixels = NULL;
     play_run(&p, "scene shapes\nwait 50\n");
@@ -987,18 +946,16 @@ static void strange_pictures_are_survived(void **state)
     assert_int_equal(small[9], 0);
     assert_int_equal(small[10], 'X');
     play_end(&p);
-    play_begin(&p, 64, 64, 1);                              /* before the first call there is nothing to tell */
+    p = play_open(64, 64, 1);                              /* before the first call there is nothing to tell */
     assert_true(game_describe(&p.memory, p.text, sizeof p.text) > 0);
     assert_string_equal(p.text, "scene none\n");
     play_end(&p);
 }
 
 /* ---- settings, search and time ---- */
-static void a_setting_is_changed_kept_and_forgotten(void **state)
+TEST(a_setting_is_changed_kept_and_forgotten)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 1400, 1);                                          /* high enough for all settings */
+    play p = play_open(1100, 1400, 1);                                          /* high enough for all settings */
     play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey s\nframe\n");
     double x = play_fact(&p, "widget gravity.y pixel", 0), y = play_fact(&p, "widget gravity.y pixel", 1);
     char script[300];
@@ -1015,8 +972,7 @@ static void a_setting_is_changed_kept_and_forgotten(void **state)
     play_run(&p, "steps 1\nwait 60\n");
     uint64_t own = 0;
     sscanf(strstr(p.text, "hash "), "hash %llx", (unsigned long long *)&own);
-    play q;
-    play_begin(&q, 1100, 1400, 1);
+    play q = play_open(1100, 1400, 1);
     play_run(&q, "steps 0\nscene stack-of-boxes\nframe\nsteps 1\nwait 60\n");
     uint64_t plain = 1;
     sscanf(strstr(q.text, "hash "), "hash %llx", (unsigned long long *)&plain);
@@ -1026,17 +982,14 @@ static void a_setting_is_changed_kept_and_forgotten(void **state)
     play_end(&q);
 }
 
-static void a_solver_is_chosen_from_its_list(void **state)
+TEST(a_solver_is_chosen_from_its_list)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 1400, 1);
+    play p = play_open(1100, 1400, 1);
     play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey s\nframe\n");
     play_click(&p, "solver");
     play_click(&p, "sequential");
     play_run(&p, "steps 1\nwait 120\n");
-    play q;
-    play_begin(&q, 1100, 1400, 1);
+    play q = play_open(1100, 1400, 1);
     play_run(&q, "steps 0\nscene stack-of-boxes\nframe\nsteps 1\nwait 120\n");
     assert_string_not_equal(strstr(p.text, "hash "), strstr(q.text, "hash "));
     assert_near(play_fact(&p, "steps", 0), 120, 0);                      /* and it runs */
@@ -1044,11 +997,9 @@ static void a_solver_is_chosen_from_its_list(void **state)
     play_end(&q);
 }
 
-static void time_goes_back_and_on_again_to_the_same_bits(void **state)
+TEST(time_goes_back_and_on_again_to_the_same_bits)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "steps 1\nscene dominoes\nwait 120\n");
     char then[17], now[17];
     sscanf(strstr(p.text, "hash "), "hash %16s", then);
@@ -1069,11 +1020,9 @@ static void time_goes_back_and_on_again_to_the_same_bits(void **state)
     play_end(&p);
 }
 
-static void three_letters_and_enter_open_a_scene(void **state)
+TEST(three_letters_and_enter_open_a_scene)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "steps 0\nframe\nkey /\nframe\nkey t\nkey a\nkey h\nframe\nkey enter\nframe\n");
     assert_true(is_scene(&p, "tower of a hundred"));
     play_run(&p, "steps 1\nkey p\nwait 3\n");                           /* and letters are keys again */
@@ -1081,11 +1030,9 @@ static void three_letters_and_enter_open_a_scene(void **state)
     play_end(&p);
 }
 
-static void time_runs_slower(void **state)
+TEST(time_runs_slower)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 900, 600, 1);
+    play p = play_open(900, 600, 1);
     play_run(&p, "seconds 0.1\nsteps -1\nscene tower\nframe\nkey <\nkey <\nframe\n");
     double from = play_fact(&p, "steps", 0);
     play_run(&p, "seconds 0.1\nsteps -1\nwait 40\n");                   /* four seconds on the wall, one in the world */
@@ -1094,9 +1041,8 @@ static void time_runs_slower(void **state)
 }
 
 /* eq:scenes-between: its ends, the middle of a turn over pi, a rotation that is one, and the chord's error, at most x^3/62. */
-static void a_pose_is_between_two(void **state)
+TEST(a_pose_is_between_two)
 {
-    (void)state;
     wfTransform a = wfMakeTransform(wfV2(1, -2), WF_R(3.1)), b = wfMakeTransform(wfV2(3, 2), WF_R(-3.1));
     double eps = 8 * (double)WF_EPSILON;
     wfTransform m = wfPoseBetween(a, b, WF_R(0.5));
@@ -1118,13 +1064,11 @@ static void a_pose_is_between_two(void **state)
 }
 
 /* With a quarter of a step in each frame, every frame moves what is seen; with an overlay, or paused, the states are seen. */
-static void frames_between_steps_are_between(void **state)
+TEST(frames_between_steps_are_between)
 {
-    (void)state;
-    play p;
     enum { ROW0 = 130, HIGH = 400 };
     uint32_t *before = malloc(4 * 1100 * HIGH);
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene tumbler\nsteps 1\nwait 30\n");
     assert_int_equal((int)play_fact(&p, "show", 0), 0);
     for (int run = 0; run < 3; run++) {
@@ -1147,13 +1091,11 @@ static void frames_between_steps_are_between(void **state)
 }
 
 /* The last line of the panel World is the hash: in a very high window all of it is seen, and it changes with a step and not without. */
-static void the_panel_shows_the_states_hash(void **state)
+TEST(the_panel_shows_the_states_hash)
 {
-    (void)state;
-    play p;
     enum { WIDE = 1000, TALL = 2400, PANEL = 260 };
     uint32_t *before = malloc(4 * WIDE * TALL);
-    play_begin(&p, WIDE, TALL, 1);
+    play p = play_open(WIDE, TALL, 1);
     play_run(&p, "scene pyramid\nsteps 1\nwait 5\nsteps 0\nkey s\nframe\n");
     play_click(&p, "World");
     play_run(&p, "steps 0\nmove 300 900\nframe\nframe\n");
@@ -1168,37 +1110,4 @@ static void the_panel_shows_the_states_hash(void **state)
     }
     free(before);
     play_end(&p);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_scene_keeps_its_promises), cmocka_unit_test(every_scene_is_well_described),
-        cmocka_unit_test(every_scene_has_its_hash), cmocka_unit_test(a_scene_runs_the_same_again_and_in_lent_memory),
-        cmocka_unit_test(a_bad_scene_is_reported), cmocka_unit_test(the_wandering_hand_stays_in_view),
-        cmocka_unit_test(tc01_distances_are_as_one_over_mass), cmocka_unit_test(tc02_spin_grows_with_the_arm),
-        cmocka_unit_test(tc05_colours_follow_the_contacts), cmocka_unit_test(tc08_overlap_goes_and_no_velocity_comes),
-        cmocka_unit_test(every_scene_and_overlay_can_be_drawn),
-        cmocka_unit_test(joints_are_drawn_where_they_hold_and_red_when_broken),
-        cmocka_unit_test(machines_do_what_their_texts_say), cmocka_unit_test(asked_and_extreme_scenes_keep_their_lines),
-        cmocka_unit_test(as_many_bodies_as_the_report_had), cmocka_unit_test(every_integrator_has_its_orbit),
-        cmocka_unit_test(overlays_show_pairs_and_contacts_where_they_are),
-        cmocka_unit_test(the_camera_sees_where_it_should),
-        cmocka_unit_test(picking_inverts_seeing_and_zoom_keeps_the_point),
-        cmocka_unit_test(the_hand_follows_the_exact_recurrence), cmocka_unit_test(the_hand_gives_the_grip_its_velocity),
-        cmocka_unit_test(pause_step_and_reset_work),
-        cmocka_unit_test(a_setting_is_changed_kept_and_forgotten),
-        cmocka_unit_test(a_solver_is_chosen_from_its_list),
-        cmocka_unit_test(time_goes_back_and_on_again_to_the_same_bits),
-        cmocka_unit_test(three_letters_and_enter_open_a_scene),
-        cmocka_unit_test(the_panel_shows_the_states_hash), cmocka_unit_test(a_pose_is_between_two), cmocka_unit_test(frames_between_steps_are_between),
-        cmocka_unit_test(time_runs_slower), cmocka_unit_test(scenes_are_chosen_by_keys_buttons_and_list),
-        cmocka_unit_test(overlays_keys_and_views_answer), cmocka_unit_test(a_body_is_held_dragged_and_thrown),
-        cmocka_unit_test(a_narrow_window_shows_the_whole_scene),
-        cmocka_unit_test(bodies_behind_the_text_are_not_taken),
-        cmocka_unit_test(a_static_body_cannot_be_taken), cmocka_unit_test(the_same_input_makes_the_same_pixels),
-        cmocka_unit_test(memory_moves_and_the_game_goes_on), cmocka_unit_test(the_clock_decides_when_asked),
-        cmocka_unit_test(strange_pictures_are_survived)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

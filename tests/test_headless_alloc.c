@@ -3,9 +3,8 @@
 #include "own_malloc.h"
 #include "testbed/scene.h"
 
-static void no_scene_allocates(void **unused)
+TEST(no_scene_allocates)
 {
-    (void)unused;
     if (!OWN_MALLOC) skip();
     for (int s = 0; s < wfSceneCount(); s++) {
         wfWorld world;
@@ -22,10 +21,4 @@ static void no_scene_allocates(void **unused)
     }
     fail_at = 0;
     assert_true(live < 1000);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(no_scene_allocates) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,5 @@
 /* What mouse, keys and fingers do to bodies, event by event; what lies under them, and the menu of a body. */
 #include "play.h"
-#include <math.h>
 #include "testbed/plots.h"
 #include "testbed/tools.h"
 #include "testbed/ui.h"
@@ -16,9 +15,8 @@ static void take(game_input *in, int32_t kind, float x, float y, int32_t code, b
     if (!took) assert_memory_equal(in, &was, sizeof was);
 }
 
-static void an_event_that_would_come_out_of_order_is_refused(void **unused)
+TEST(an_event_that_would_come_out_of_order_is_refused)
 {
-    (void)unused;
     game_input in = { .mouse_x = 5, .mouse_y = 5 };
     enum { L = GAME_BUTTON_LEFT, R = GAME_BUTTON_RIGHT };
     take(&in, GAME_EVENT_MOVE, 10, 10, 0, true);
@@ -77,11 +75,9 @@ static float pixel_of(play *p, const char *body, int which)
     return which ? y : x;
 }
 
-static void a_drag_within_one_slow_frame_throws(void **unused)
+TEST(a_drag_within_one_slow_frame_throws)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 60\n");
     float x = pixel_of(&p, "body 6", 0), y = pixel_of(&p, "body 6", 1);
     double was = play_fact(&p, "body 6 x", 0);
@@ -97,13 +93,11 @@ static void a_drag_within_one_slow_frame_throws(void **unused)
     play_end(&p);
 }
 
-static void a_click_does_not_brake(void **unused)
+TEST(a_click_does_not_brake)
 {
-    (void)unused;
     uint64_t hash[2];
     for (int click = 0; click < 2; click++) {
-        play p;
-        play_begin(&p, 1100, 700, 1);
+        play p = play_open(1100, 700, 1);
         play_run(&p, "scene free-fall\nsteps 1\nwait 20\n");
         float x = pixel_of(&p, "body 1", 0), y = pixel_of(&p, "body 1", 1);
         give(&p, GAME_EVENT_MOVE, x, y, 0);
@@ -115,11 +109,9 @@ static void a_click_does_not_brake(void **unused)
     assert_true(hash[0] == hash[1]);
 }
 
-static void a_line_drawn_in_one_slow_frame_has_all_its_points(void **unused)
+TEST(a_line_drawn_in_one_slow_frame_has_all_its_points)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene pyramid\nsteps 1\nwait 5\nkey y\nframe\n");
     const float corner[][2] = { { 400, 220 }, { 520, 220 }, { 520, 300 }, { 400, 300 }, { 400, 224 } };
     int bodies = (int)play_fact(&p, "bodies", 0);
@@ -147,9 +139,8 @@ static wfBodyId put_body(wfWorld *w, int type, wfShape shape, wfReal x, wfReal y
     return id;
 }
 
-static void what_is_near_is_picked(void **unused)
+TEST(what_is_near_is_picked)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     wfShape ball, box;
@@ -170,12 +161,10 @@ static void what_is_near_is_picked(void **unused)
     wfDestroyWorld(&w);
 }
 
-static void the_mouse_tells_what_it_would_do(void **unused)
+TEST(the_mouse_tells_what_it_would_do)
 {
-    (void)unused;
-    play p;
     char script[200];
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 30\nkey p\nsteps 0\nframe\n");
     float x = pixel_of(&p, "body 6", 0), y = pixel_of(&p, "body 6", 1);
     snprintf(script, sizeof script, "move %g %g\nframe\nframe\n", (double)x, (double)y);
@@ -205,11 +194,9 @@ static void from_menu(play *p, const char *body, const char *row)
     if (row) assert_int_equal((int)play_fact(p, "menu", 0), 0);
 }
 
-static void the_menu_does_what_it_says(void **unused)
+TEST(the_menu_does_what_it_says)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 60\nkey p\nsteps 0\nframe\nkey g\nframe\n");
     int bodies = (int)play_fact(&p, "bodies", 0);
     from_menu(&p, "body 6", "Remove it");
@@ -236,11 +223,9 @@ static void the_menu_does_what_it_says(void **unused)
     play_end(&p);
 }
 
-static void a_click_beside_the_menu_closes_it_and_a_pull_opens_none(void **unused)
+TEST(a_click_beside_the_menu_closes_it_and_a_pull_opens_none)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 60\nkey p\nsteps 0\nframe\n");
     from_menu(&p, "body 6", NULL);
     play_run(&p, "move 300 250\nframe\nclick left\nframe\n");
@@ -260,9 +245,8 @@ static void a_click_beside_the_menu_closes_it_and_a_pull_opens_none(void **unuse
 }
 
 /* ---- Numbers that are typed. ---------------------------------------------------------------------------------------------------- */
-static void numbers_are_read(void **unused)
+TEST(numbers_are_read)
 {
-    (void)unused;
     const struct { const char *text; double want; } good[] = { { "0", 0 }, { "12", 12 }, { "-3", -3 }, { "1.5", 1.5 }, { ".25", 0.25 },
         { "2.", 2 }, { "1/60", 1.0 / 60 }, { "-2.5e3", -2500 }, { "1e-3", 1e-3 }, { "3/-2", -1.5 } };
     const char *const bad[] = { "", "-", ".", "e3", "1e", "1/", "1/0", "--1", "1.2.3", "1e999", "1-2" };
@@ -295,11 +279,9 @@ static void type_into(play *p, const char *widget, const char *keys)
     play_run(p, script);
 }
 
-static void a_number_can_be_typed_and_the_address_knows(void **unused)
+TEST(a_number_can_be_typed_and_the_address_knows)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 10\nkey p\nkey s\nsteps 0\nframe\nframe\n");
     play_click(&p, "World");
     link_is(&p, "scene=stack-of-boxes");
@@ -320,9 +302,8 @@ static void a_number_can_be_typed_and_the_address_knows(void **unused)
 }
 
 /* ---- Curves of one body, as text. ----------------------------------------------------------------------------------------------- */
-static void curves_are_written_as_they_are(void **unused)
+TEST(curves_are_written_as_they_are)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     wfShape ball;
@@ -355,11 +336,9 @@ static void curves_are_written_as_they_are(void **unused)
 }
 
 /* ---- The list, the first scene, scenes that end. -------------------------------------------------------------------------------- */
-static void the_search_looks_into_sentences(void **unused)
+TEST(the_search_looks_into_sentences)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene pyramid\nsteps 0\nframe\nkey /\nkey m\nkey o\nkey r\nkey t\nkey a\nkey r\nframe\nframe\n");
     assert_non_null(play_line(&p, "widget arch pixel"));    /* "stones without mortar" */
     play_run(&p, "key q\nkey q\nframe\nframe\n");
@@ -368,11 +347,9 @@ static void the_search_looks_into_sentences(void **unused)
     play_end(&p);
 }
 
-static void it_opens_on_a_scene_with_life_and_a_hint(void **unused)
+TEST(it_opens_on_a_scene_with_life_and_a_hint)
 {
-    (void)unused;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "steps 1\nwait 200\n");
     assert_true(play_says(&p, "hint 1"));
     float x = pixel_of(&p, "body 20", 0), y = pixel_of(&p, "body 20", 1);
@@ -386,12 +363,10 @@ static void it_opens_on_a_scene_with_life_and_a_hint(void **unused)
     play_end(&p);
 }
 
-static void a_scene_that_all_have_left_begins_again(void **unused)
+TEST(a_scene_that_all_have_left_begins_again)
 {
-    (void)unused;
     for (int keep = 0; keep < 2; keep++) {
-        play p;
-        play_begin(&p, 1100, 700, 1);
+        play p = play_open(1100, 700, 1);
         p.sparing = true;
         play_run(&p, "scene TC01-masses\nsteps 0\nkey s\nframe\nframe\n");
         play_click(&p, "World");
@@ -414,9 +389,8 @@ static int commands(const wfDraw *d, int kind, int line, int fill)
     return n;
 }
 
-static void things_are_drawn(void **unused)
+TEST(things_are_drawn)
 {
-    (void)unused;
     static _Alignas(8) uint8_t memory[1 << 20], more[1 << 20];
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
@@ -473,26 +447,4 @@ static void things_are_drawn(void **unused)
         assert_true(d.count > 0 && !d.refused && d.view[3] == 100);
     }
     assert_true(rows > 10);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_event_that_would_come_out_of_order_is_refused),
-        cmocka_unit_test(a_drag_within_one_slow_frame_throws),
-        cmocka_unit_test(a_click_does_not_brake),
-        cmocka_unit_test(a_line_drawn_in_one_slow_frame_has_all_its_points),
-        cmocka_unit_test(what_is_near_is_picked),
-        cmocka_unit_test(the_mouse_tells_what_it_would_do),
-        cmocka_unit_test(the_menu_does_what_it_says),
-        cmocka_unit_test(a_click_beside_the_menu_closes_it_and_a_pull_opens_none),
-        cmocka_unit_test(numbers_are_read),
-        cmocka_unit_test(a_number_can_be_typed_and_the_address_knows),
-        cmocka_unit_test(curves_are_written_as_they_are),
-        cmocka_unit_test(the_search_looks_into_sentences),
-        cmocka_unit_test(it_opens_on_a_scene_with_life_and_a_hint),
-        cmocka_unit_test(a_scene_that_all_have_left_begins_again),
-        cmocka_unit_test(things_are_drawn),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -58,9 +58,8 @@ static double drift(const wfScene *scene, wfWorld *one, wfWorld *two, int steps,
 
 static bool has_sleepers(const wfWorld *world) { return wfGetSleepCounts(world).asleep > 0; }
 
-static void every_scene_is_read_as_it_was(void **unused)
+TEST(every_scene_is_read_as_it_was)
 {
-    (void)unused;
     int future = 0;
     for (int row = 0; row < wfSceneCount(); row++) {
         const wfScene *scene = wfSceneAt(row);
@@ -91,9 +90,8 @@ static void every_scene_is_read_as_it_was(void **unused)
 }
 
 /* A text that the platform brings along is the last scene of the list, and steps like the world that is read from it. */
-static void the_testbed_opens_a_text(void **unused)
+TEST(the_testbed_opens_a_text)
 {
-    (void)unused;
     const char *text = "{\"weft\": 1, \"name\": \"a guest\", \"view\": {\"x\": 1, \"y\": 2, \"height\": 5}, \"bodies\": "
                        "[{\"position\": [1, 4], \"shapes\": [{\"kind\": \"circle\", \"radius\": 0.5}]}]}";
     char error[200], said[16384];
@@ -125,10 +123,4 @@ static void the_testbed_opens_a_text(void **unused)
     wfDestroyWorld(&world);
     free(memory.permanent);
     free(memory.transient);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(every_scene_is_read_as_it_was), cmocka_unit_test(the_testbed_opens_a_text) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,9 +16,8 @@ static void assert_same_contacts(const wfScene *scene, const wfWorld *a, const w
                 fail_msg("%s: point %d of contact %d differs", scene->name, (int)k, (int)i);
 }
 
-static void every_scene_has_the_same_bits_with_and_without(void **unused)
+TEST(every_scene_has_the_same_bits_with_and_without)
 {
-    (void)unused;
     int wide = 0;
     for (int s = 0; s < wfSceneCount(); s++) {
         const wfScene *scene = wfSceneAt(s);
@@ -41,10 +40,4 @@ static void every_scene_has_the_same_bits_with_and_without(void **unused)
         wfDestroyWorld(&plain);
     }
     assert_true(wide > wfSceneCount() / 2);       /* or nothing was compared */
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(every_scene_has_the_same_bits_with_and_without) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,9 +14,8 @@ static bool run_scene(const wfScene *s, wfWorld *world, int step)
 
 static size_t size_of(const wfWorld *w) { return w->memory.permanentSize + w->memory.transientSize; }
 
-static void a_lean_world_has_the_same_bits(void **state)
+TEST(a_lean_world_has_the_same_bits)
 {
-    (void)state;
     int leaner = 0;
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);
@@ -44,10 +43,4 @@ static void a_lean_world_has_the_same_bits(void **state)
         wfDestroyWorld(&rich);
     }
     assert_true(2 * leaner > wfSceneCount());      /* most scenes take less than half of what they were given */
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(a_lean_world_has_the_same_bits) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,11 +7,9 @@ static void until_still(play *p)
     assert_true(p->memory.still);
 }
 
-static void a_paused_picture_is_still_until_something_happens(void **state)
+TEST(a_paused_picture_is_still_until_something_happens)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "steps -1\nseconds 0.016\nscene stack-of-boxes\nwait 20\n");
     assert_false(p.memory.still);                               /* time runs */
     play_run(&p, "steps -1\nkey p\nframe\n");
@@ -47,13 +45,11 @@ static void a_paused_picture_is_still_until_something_happens(void **state)
 }
 
 /* A machine on which a step costs c, a picture d: the frames that it would show. */
-static void a_slow_machine_slows_time_down(void **state)
+TEST(a_slow_machine_slows_time_down)
 {
-    (void)state;
     const double dt = 1.0 / 60, d = 0.004;
     for (double c = 0.002; c < 0.2; c *= 1.3) {
-        play p;
-        play_begin(&p, 1100, 700, 1);
+        play p = play_open(1100, 700, 1);
         play_run(&p, "steps 0\nscene stack-of-boxes\nframe\n");
         uint32_t *pixels = p.buffer.pixels;
         p.buffer.pixels = NULL;
@@ -79,11 +75,9 @@ static void a_slow_machine_slows_time_down(void **state)
     }
 }
 
-static void an_unknown_scene_is_told(void **state)
+TEST(an_unknown_scene_is_told)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nscene nowhere\nframe\n");
     assert_true(strncmp(p.text, "scene stack of boxes\n", 21) == 0);
     assert_true(play_says(&p, "said there is no scene nowhere"));
@@ -93,11 +87,9 @@ static void an_unknown_scene_is_told(void **state)
     play_end(&p);
 }
 
-static void a_new_scene_forgets_what_was_said(void **state)
+TEST(a_new_scene_forgets_what_was_said)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nkey n\nframe\n");
     assert_non_null(strstr(p.text, "\nsaid chosen: body"));
     play_run(&p, "steps 0\nkey ]\nframe\n");
@@ -106,14 +98,12 @@ static void a_new_scene_forgets_what_was_said(void **state)
 }
 
 /* Before its first step a world has no islands: its bodies have their own colour then, as without the overlay. */
-static void bodies_are_not_black_before_the_first_step(void **state)
+TEST(bodies_are_not_black_before_the_first_step)
 {
-    (void)state;
     static const char *const scenes[] = { "islands", "support-removed" };
     for (int i = 0; i < 2; i++) {
-        play p;
         char script[100];
-        play_begin(&p, 1100, 700, 1);
+        play p = play_open(1100, 700, 1);
         snprintf(script, sizeof script, "steps 0\nscene %s\nkey p\nframe\nframe\n", scenes[i]);
         play_run(&p, script);
         size_t at = (size_t)(play_fact(&p, "body 6 x", 3) + 5) * 1100 + (size_t)play_fact(&p, "body 6 x", 2) + 5;
@@ -122,14 +112,4 @@ static void bodies_are_not_black_before_the_first_step(void **state)
         assert_int_equal(p.buffer.pixels[at], on);
         play_end(&p);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_paused_picture_is_still_until_something_happens), cmocka_unit_test(a_slow_machine_slows_time_down),
-        cmocka_unit_test(an_unknown_scene_is_told), cmocka_unit_test(a_new_scene_forgets_what_was_said),
-        cmocka_unit_test(bodies_are_not_black_before_the_first_step),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

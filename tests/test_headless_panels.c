@@ -53,11 +53,9 @@ static void pull_number(play *p, const char *name, int by)
     play_run(p, script);
 }
 
-static void the_numbers_of_a_body_are_changed(void **state)
+TEST(the_numbers_of_a_body_are_changed)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nkey p\nkey s\nframe\n");
     play_click(&p, "Body");
     play_run(&p, "key n\nframe\nframe\n");
@@ -91,11 +89,9 @@ static void the_numbers_of_a_body_are_changed(void **state)
     play_end(&p);
 }
 
-static void a_density_changes_a_mass_that_was_not_given(void **state)
+TEST(a_density_changes_a_mass_that_was_not_given)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene free-fall\nkey p\nkey s\nkey b\nframe\nmove 500 300\ndown left\nframe\nmove 530 320\nframe\nup left\nframe\n");
     play_click(&p, "Body");
     double mass = play_fact(&p, "body-numbers", 0);
@@ -111,11 +107,9 @@ static void click_need(play *p, const char *need)
     snprintf(name, sizeof name, "with %s", need);
     play_click(p, name);
 }
-static void modules_are_switched_off_and_on(void **state)
+TEST(modules_are_switched_off_and_on)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 900, 1);
+    play p = play_open(1100, 900, 1);
     play_run(&p, "scene stack-of-boxes\nkey p\nkey s\nframe\n");
     play_click(&p, "Needs");
     uint32_t all = (uint32_t)play_fact(&p, "needs", 0);
@@ -151,9 +145,8 @@ static void modules_are_switched_off_and_on(void **state)
 /* ---- the tape ---- */
 static void a_recorded_run_is_played_again_to_the_bit(const char *scene)
 {
-    play p;
     char script[400];
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     p.sparing = true;
     snprintf(script, sizeof script, "scene %s\nsteps 1\nwait 7\nkey f\nframe\n", scene);
     play_run(&p, script);
@@ -181,9 +174,8 @@ static void a_recorded_run_is_played_again_to_the_bit(const char *scene)
     }
     play_end(&p);
 }
-static void runs_are_played_again(void **state)
+TEST(runs_are_played_again)
 {
-    (void)state;
     a_recorded_run_is_played_again_to_the_bit("shapes");
     a_recorded_run_is_played_again_to_the_bit("ragdolls");
     a_recorded_run_is_played_again_to_the_bit("TC08-positional-correction");        /* acts by itself, with the mouse */
@@ -191,11 +183,9 @@ static void runs_are_played_again(void **state)
     a_recorded_run_is_played_again_to_the_bit("crane");
 }
 
-static void a_spoilt_tape_is_noticed_at_its_step(void **state)
+TEST(a_spoilt_tape_is_noticed_at_its_step)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene pyramid\nsteps 1\nkey f\nframe\nwait 30\nkey p\nframe\nkey f\nframe\n");
     /* the journal of a run without inputs is one entry and a hash of 8 bytes a step: spoil one of them where the hash of this moment is */
     uint64_t hash = hash_of(&p);
@@ -210,11 +200,9 @@ static void a_spoilt_tape_is_noticed_at_its_step(void **state)
     play_end(&p);
 }
 
-static void a_tool_takes_over_a_replay(void **state)
+TEST(a_tool_takes_over_a_replay)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene pyramid\nsteps 1\nkey k\nframe\n");
     assert_non_null(strstr(p.text, "nothing on the tape"));
     play_run(&p, "key f\nframe\nwait 30\nkey f\nframe\nkey k\nframe\nwait 10\nmove 650 400\nclick left\nframe\n");
@@ -226,12 +214,10 @@ static void a_tool_takes_over_a_replay(void **state)
 }
 
 /* What somebody wants to see, other than a scene says: in every scene, and another day. */
-static void overlays_and_curves_are_kept(void **state)
+TEST(overlays_and_curves_are_kept)
 {
-    (void)state;
-    play p;
     store s = { "settings.txt", malloc(4096), 0 };
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     give_files(&p);
     frames(&p, NULL, 3);
     play_run(&p, "scene pyramid\nsteps 0\nframe\n");
@@ -248,7 +234,7 @@ static void overlays_and_curves_are_kept(void **state)
         frames(&p, NULL, 1);
     }
     play_end(&p);
-    play_begin(&p, 1100, 700, 1);                                   /* another day */
+    p = play_open(1100, 700, 1);                                   /* another day */
     give_files(&p);
     frames(&p, &s, 3);
     play_run(&p, "scene stack-of-boxes\nsteps 0\nframe\n");
@@ -264,12 +250,10 @@ static void overlays_and_curves_are_kept(void **state)
 }
 
 /* ---- files ---- */
-static void worlds_are_saved_and_loaded(void **state)
+TEST(worlds_are_saved_and_loaded)
 {
-    (void)state;
-    play p;
     store s = { "", NULL, 0 };
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     give_files(&p);
     play_run(&p, "scene ragdolls\nsteps 1\nwait 50\nkey p\nframe\n");
     frames(&p, NULL, 3);
@@ -306,12 +290,10 @@ static void worlds_are_saved_and_loaded(void **state)
 }
 
 #ifndef WF_NO_JSON
-static void scenes_are_written_and_read(void **state)
+TEST(scenes_are_written_and_read)
 {
-    (void)state;
-    play p;
     store s = { "", NULL, 0 };
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     give_files(&p);
     play_run(&p, "scene pyramid\nsteps 0\nkey p\nframe\n");
     frames(&p, NULL, 3);
@@ -338,12 +320,10 @@ static void scenes_are_written_and_read(void **state)
 }
 #endif
 
-static void settings_come_back_and_bad_ones_are_refused(void **state)
+TEST(settings_come_back_and_bad_ones_are_refused)
 {
-    (void)state;
-    play p;
     store s = { "settings.txt", NULL, 0 };
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     give_files(&p);
     frames(&p, NULL, 3);
     play_run(&p, "steps 0\nkey d\nkey s\nframe\n");
@@ -355,7 +335,7 @@ static void settings_come_back_and_bad_ones_are_refused(void **state)
     s.bytes[s.size] = 0;
     assert_non_null(strstr((char *)s.bytes, "dark 1\n"));
     play_end(&p);
-    play_begin(&p, 1100, 700, 1);                                   /* another day */
+    p = play_open(1100, 700, 1);                                   /* another day */
     give_files(&p);
     frames(&p, &s, 3);
     assert_int_equal((int)play_fact(&p, "dark", 0), 1);
@@ -363,7 +343,7 @@ static void settings_come_back_and_bad_ones_are_refused(void **state)
     play_end(&p);
     static const char *const bad[] = { "dark 2\n", "dark 1", "dark\n", "dark -1\n", "light 1\n", "dark 1\ntool 99\n", "dark 1\ntool 1 \n", "\n", "dark 99999999999999999999\n", "curves 4096\n", "overlays 1048576\n", "dark 1\nd" };
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        play_begin(&p, 1100, 700, 1);
+        p = play_open(1100, 700, 1);
         give_files(&p);
         snprintf((char *)s.bytes, 4096, "%s", bad[i]);
         s.size = strlen(bad[i]);
@@ -375,11 +355,9 @@ static void settings_come_back_and_bad_ones_are_refused(void **state)
     free(s.bytes);
 }
 
-static void without_files_the_keys_say_so(void **state)
+TEST(without_files_the_keys_say_so)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     for (const char *k = "wauzc"; *k; k++) {
         char script[40];
         snprintf(script, sizeof script, "steps 0\nkey %c\nframe\n", *k);
@@ -389,11 +367,9 @@ static void without_files_the_keys_say_so(void **state)
     play_end(&p);
 }
 
-static void every_panel_is_walked_by_keys(void **state)
+TEST(every_panel_is_walked_by_keys)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 480, 320, 1);
+    play p = play_open(480, 320, 1);
     play_run(&p, "scene pyramid\nsteps 0\nkey n\nkey s\nframe\n");
     static const char *const tabs[] = { "World", "Body", "Needs", "Files" };
     for (int t = 0; t < 4; t++) {
@@ -402,20 +378,4 @@ static void every_panel_is_walked_by_keys(void **state)
         play_run(&p, "steps 0\nkey escape\nframe\n");
     }
     play_end(&p);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_numbers_of_a_body_are_changed), cmocka_unit_test(a_density_changes_a_mass_that_was_not_given),
-        cmocka_unit_test(modules_are_switched_off_and_on), cmocka_unit_test(runs_are_played_again),
-        cmocka_unit_test(a_spoilt_tape_is_noticed_at_its_step), cmocka_unit_test(a_tool_takes_over_a_replay),
-        cmocka_unit_test(worlds_are_saved_and_loaded),
-#ifndef WF_NO_JSON
-        cmocka_unit_test(scenes_are_written_and_read),
-#endif
-        cmocka_unit_test(overlays_and_curves_are_kept), cmocka_unit_test(settings_come_back_and_bad_ones_are_refused), cmocka_unit_test(without_files_the_keys_say_so),
-        cmocka_unit_test(every_panel_is_walked_by_keys),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,7 +10,7 @@
 static void begin(play *p, const char *scene)
 {
     char script[100];
-    play_begin(p, 1100, 700, 1);
+    *p = play_open(1100, 700, 1);
     p->file.bytes = malloc(GAME_FILE_BYTES);
     p->file.capacity = GAME_FILE_BYTES;
     p->memory.file = &p->file;
@@ -33,9 +33,8 @@ static void take(play *p, char key, const char *name)
     p->file.answer = GAME_FILE_DONE;
 }
 
-static void a_picture_is_the_window(void **state)
+TEST(a_picture_is_the_window)
 {
-    (void)state;
     play p;
     begin(&p, "pyramid");
     play_run(&p, "steps 1\nwait 20\n");
@@ -71,9 +70,8 @@ static int count_tags(const char *text, size_t size)
     return shapes;
 }
 
-static void a_drawing_has_all_bodies(void **state)
+TEST(a_drawing_has_all_bodies)
 {
-    (void)state;
     play p;
     begin(&p, "pyramid");
     play_run(&p, "steps 1\nwait 5\n");
@@ -84,9 +82,8 @@ static void a_drawing_has_all_bodies(void **state)
 }
 
 /* The wish of two things at once: one after the other. */
-static void both_at_once(void **state)
+TEST(both_at_once)
 {
-    (void)state;
     play p;
     begin(&p, "pyramid");
     play_run(&p, "steps 0\nkey #\nkey !\nframe\n");
@@ -100,9 +97,8 @@ static void both_at_once(void **state)
 }
 
 /* Where the camera's part of the picture is: the film's size tells, and the test finds the place. */
-static void a_film_of_two_seconds(void **state)
+TEST(a_film_of_two_seconds)
 {
-    (void)state;
     enum { MOST = 64 };
     static uint32_t *kept[MOST];
     play p;
@@ -153,9 +149,8 @@ static void a_film_of_two_seconds(void **state)
     play_end(&p);
 }
 
-static void a_film_of_nothing_has_one_picture(void **state)
+TEST(a_film_of_nothing_has_one_picture)
 {
-    (void)state;
     play p;
     begin(&p, "pyramid");
     play_run(&p, "steps 0\nkey %\nframe\nwait 30\n");
@@ -164,9 +159,8 @@ static void a_film_of_nothing_has_one_picture(void **state)
     play_end(&p);
 }
 
-static void frames_come_one_by_one_and_end_when_refused(void **state)
+TEST(frames_come_one_by_one_and_end_when_refused)
 {
-    (void)state;
     play p;
     begin(&p, "pyramid");
     char name[40];
@@ -184,9 +178,8 @@ static void frames_come_one_by_one_and_end_when_refused(void **state)
     play_end(&p);
 }
 
-static void another_size_ends_the_film(void **state)
+TEST(another_size_ends_the_film)
 {
-    (void)state;
     play p;
     begin(&p, "pyramid");
     play_run(&p, "steps 0\nkey %\nframe\nsteps 1\nwait 10\n");
@@ -200,9 +193,8 @@ static void another_size_ends_the_film(void **state)
 }
 
 /* What is filmed does not change what happens. */
-static void filming_changes_no_bit(void **state)
+TEST(filming_changes_no_bit)
 {
-    (void)state;
     play a, b;
     begin(&a, "dominoes");
     begin(&b, "dominoes");
@@ -215,9 +207,8 @@ static void filming_changes_no_bit(void **state)
 }
 
 /* GR04: whatever is chosen is seen in the picture of the same frame. */
-static void every_choice_is_seen_at_once(void **state)
+TEST(every_choice_is_seen_at_once)
 {
-    (void)state;
     static const char *const keys[] = { "tab", "p", "p", "o", "p", "r", "]", "[", "d", "?", "s", "b", "y", "i", "j", "l", "x", "v", "g", "n", "f", "f", "k", "p", "w", "tab",
                                         "1", "2", "3", "4", "5", "6", "7", "8", "9", "0", "-", "h", "+", "m", "%", "%", "left" };
     uint32_t *before = malloc(4 * 1100 * 700);
@@ -253,9 +244,8 @@ static long size_of(const char *folder, const char *name)
 }
 
 /* A whole run by options, as the program without a window does it. */
-static void options_ask_for_all_of_it(void **state)
+TEST(options_ask_for_all_of_it)
 {
-    (void)state;
     char folder[] = "/tmp/weft-pictures-XXXXXX", film[100], svg[100], png[100];
     assert_non_null(mkdtemp(folder));
     snprintf(film, sizeof film, "%s/a.png", folder);
@@ -283,9 +273,8 @@ static void options_ask_for_all_of_it(void **state)
 }
 
 /* The user's own folder: where XDG says, or below the home; made with all that is above it. */
-static void the_users_folder_is_made(void **state)
+TEST(the_users_folder_is_made)
 {
-    (void)state;
 #if defined(__linux__)
     char home[] = "/tmp/weft-home-XXXXXX", path[200], want[200], small[10];
     assert_non_null(mkdtemp(home));
@@ -312,15 +301,4 @@ static void the_users_folder_is_made(void **state)
     snprintf(command, sizeof command, "rm -r '%s'", home);
     assert_int_equal(system(command), 0);
 #endif
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_picture_is_the_window), cmocka_unit_test(a_drawing_has_all_bodies), cmocka_unit_test(both_at_once),
-        cmocka_unit_test(a_film_of_two_seconds), cmocka_unit_test(a_film_of_nothing_has_one_picture),
-        cmocka_unit_test(frames_come_one_by_one_and_end_when_refused), cmocka_unit_test(another_size_ends_the_film),
-        cmocka_unit_test(filming_changes_no_bit), cmocka_unit_test(every_choice_is_seen_at_once), cmocka_unit_test(options_ask_for_all_of_it), cmocka_unit_test(the_users_folder_is_made)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -144,20 +144,8 @@ static void is_saved_and_grows(const wfScene *scene, wfWorld *world)
     wfDestroyWorld(&loaded);
 }
 
-static void every_scene_keeps_the_rules(void **unused) { (void)unused; over_scenes(keeps_the_rules); }
-static void every_scene_may_move_house(void **unused) { (void)unused; over_scenes(moves_house); }
-static void every_scene_forgets_nothing(void **unused) { (void)unused; over_scenes(forgets_nothing); }
-static void every_scene_is_cloned_into_rubbish(void **unused) { (void)unused; over_scenes(is_cloned); }
-static void every_scene_is_saved_and_grows(void **unused) { (void)unused; over_scenes(is_saved_and_grows); }
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_scene_keeps_the_rules),
-        cmocka_unit_test(every_scene_may_move_house),
-        cmocka_unit_test(every_scene_forgets_nothing),
-        cmocka_unit_test(every_scene_is_cloned_into_rubbish),
-        cmocka_unit_test(every_scene_is_saved_and_grows),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+TEST(every_scene_keeps_the_rules) { over_scenes(keeps_the_rules); }
+TEST(every_scene_may_move_house) { over_scenes(moves_house); }
+TEST(every_scene_forgets_nothing) { over_scenes(forgets_nothing); }
+TEST(every_scene_is_cloned_into_rubbish) { over_scenes(is_cloned); }
+TEST(every_scene_is_saved_and_grows) { over_scenes(is_saved_and_grows); }

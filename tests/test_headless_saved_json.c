@@ -52,9 +52,8 @@ static void is_saved_and_loaded(const char *name, const wfScene *scene, wfWorld 
     wfDestroyWorld(world);
 }
 
-static void every_scene_of_the_table(void **unused)
+TEST(every_scene_of_the_table)
 {
-    (void)unused;
     for (int i = 0; i < wfSceneCount(); i++) {
         wfWorld world;
         assert_ok(wfOpenScene(wfSceneAt(i), NULL, &world));
@@ -62,9 +61,8 @@ static void every_scene_of_the_table(void **unused)
     }
 }
 
-static void every_scene_in_a_file(void **unused)
+TEST(every_scene_in_a_file)
 {
-    (void)unused;
     static char text[1 << 16];
     int files = 0;
     DIR *folder = opendir("testbed/scenes");
@@ -87,13 +85,4 @@ static void every_scene_in_a_file(void **unused)
     }
     closedir(folder);
     assert_true(files >= 7);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_scene_of_the_table),
-        cmocka_unit_test(every_scene_in_a_file),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,8 +1,4 @@
 /* Overlays that look into a step, curves, and worlds compared. */
-#include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
 #include "play.h"
 #include "testbed/overlays.h"
 #include "testbed/platform.h"
@@ -32,9 +28,8 @@ static wfPool pool(size_t bytes)
 }
 
 /* The pair at a place is the nearest shape, and the one nearest to that: asked again, of all, one by one. */
-static void the_pair_is_the_nearest(void **state)
+TEST(the_pair_is_the_nearest)
 {
-    (void)state;
     wfWorld w = open("shapes", 60);
     wfShapeView s = wfWorldShapes(&w);
     wfBodyView v = wfWorldBodies(&w);
@@ -63,9 +58,8 @@ static void the_pair_is_the_nearest(void **state)
 }
 
 /* The last cut leaves the points of the manifold that the engine makes of the same pair. */
-static void the_last_cut_is_the_manifold(void **state)
+TEST(the_last_cut_is_the_manifold)
 {
-    (void)state;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w;
     wfBodyId id[2];
@@ -131,9 +125,8 @@ static uint64_t hash_after(const char *scene, int steps, const char *solver, int
 }
 
 /* All substeps and passes of a part are the step; a part of k passes is a step of k passes. */
-static void a_whole_part_is_the_step(void **state)
+TEST(a_whole_part_is_the_step)
 {
-    (void)state;
     wfWorldDef def = wfDefaultWorldDef();
     static const char *const solvers[] = { "soft", "sequential", "impulse" };
     for (int i = 0; i < 3; i++) {
@@ -148,9 +141,8 @@ static void a_whole_part_is_the_step(void **state)
 }
 
 /* A part that has no room says so. */
-static void no_room_is_an_error(void **state)
+TEST(no_room_is_an_error)
 {
-    (void)state;
     wfWorld w = open("tower", 2), part;
     wfPool scratch = pool(4096);
     assert_int_equal(wfPartOfStep(&w, 1, 1, &scratch, &part), WF_ERROR_MEMORY);
@@ -159,9 +151,8 @@ static void no_room_is_an_error(void **state)
 }
 
 /* ---- curves ---- */
-static void axes_are_nice(void **state)
+TEST(axes_are_nice)
 {
-    (void)state;
     wfRandom random = random_stream(3);
     for (int n = 0; n < 4000; n++) {
         double size = pow(10, 12 * (double)wfRandomReal(&random, 0, 1) - 6), a = size * (2 * (double)wfRandomReal(&random, 0, 1) - 1);
@@ -183,9 +174,8 @@ static void axes_are_nice(void **state)
     assert_true(to - from >= 100 / 1000.0);
 }
 
-static void curves_are_the_worlds_numbers(void **state)
+TEST(curves_are_the_worlds_numbers)
 {
-    (void)state;
     static wfPlots plots;
     wfWorld w = open("cradle", 40), other = open("cradle", 10);
     double kinetic, potential, p[2], l;
@@ -225,7 +215,7 @@ static void frame(play *p, int steps)
 
 static void begin(play *p, const char *scene)
 {
-    play_begin(p, W, H, 1);
+    *p = play_open(W, H, 1);
     p->in.seconds = 1 / 60.0;
     snprintf(p->in.scene, sizeof p->in.scene, "%s", scene);
     frame(p, 0);
@@ -312,7 +302,7 @@ static void looks_like(const char *name)
     static double grid[ROWS][COLUMNS][3];
     static char line[COLUMNS * 6 + 8];
     char word[64], path[200];
-    const char *look_in = getenv("WEFT_PICTURES_DIR");
+    const char *look_in = getenv("WEFT_PICTURES_DIR"), *mode = getenv("WEFT_PICTURES");
     if (sizeof(wfReal) != 4) return;        /* recorded with floats: in doubles contacts begin at other steps */
     squint(grid);
     if (look_in) {
@@ -322,6 +312,7 @@ static void looks_like(const char *name)
         for (int i = 0; i < PW * PH; i++) fwrite(&seen[i], 1, 3, ppm);
         fclose(ppm);
     }
+    if (!written && mode && strcmp(mode, "write") == 0) written = fopen(pictures, "w");
     if (written) {
         fprintf(written, "%s\n", name);
         for (int r = 0; r < ROWS; r++, fputc('\n', written))
@@ -363,9 +354,8 @@ static void render(const wfDraw *d)
     wfRenderList(d, &wfBakedFont, &wfLightPalette, &f);
 }
 
-static void each_overlay_has_its_picture(void **state)
+TEST(each_overlay_has_its_picture)
 {
-    (void)state;
     static const struct { const char *file, *scene; int steps; uint32_t show; float x, y, high; int gjk, clip, substep, pass; } rows[] = {
         { "axis", "stack of boxes", 30, WF_SHOW_AXIS, 0, 4, 5, 0, 0, 0, 0 }, { "axis-gap", "shapes", 0, WF_SHOW_AXIS, 0, 6, 5, 0, 0, 0, 0 },
         { "gjk-1", "shapes", 0, WF_SHOW_GJK, 0, 6, 5, 0, 0, 0, 0 }, { "gjk-3", "shapes", 0, WF_SHOW_GJK, 0, 6, 5, 2, 0, 0, 0 },
@@ -402,9 +392,8 @@ static void each_overlay_has_its_picture(void **state)
     free(scratch.base);
 }
 
-static void a_plot_has_its_picture(void **state)
+TEST(a_plot_has_its_picture)
 {
-    (void)state;
     static wfPlots plots;
     const wfScene *row = wfSceneAt(wfFindScene("cradle"));
     wfWorld w = open("cradle", 0);
@@ -425,9 +414,8 @@ static void a_plot_has_its_picture(void **state)
 }
 
 /* In the head of a box no word lies on another: a letter of 11 units is 6.2 wide, as a rule. What can't be had has no axes. */
-static void a_plots_words_have_room(void **state)
+TEST(a_plots_words_have_room)
 {
-    (void)state;
     static wfPlots plots;
     wfWorld w = open("cradle", 3), others[3] = { w, w, w };
     static double stage[64] = { 0.001 };
@@ -479,9 +467,8 @@ static bool count_box(void *context, const wfIndexBox *box)
 }
 
 /* The overlay "tree" draws as many boxes as the broad phase in use has, whichever it is; where there are none it says so. */
-static void the_tree_is_the_one_in_use(void **state)
+TEST(the_tree_is_the_one_in_use)
 {
-    (void)state;
     wfPool scratch = pool(16 << 20);
     wfWorld w = open("TC06 quad tree", 5);
     wfWorldDef def;
@@ -505,9 +492,8 @@ static void the_tree_is_the_one_in_use(void **state)
 }
 
 /* Every overlay that looks into a step has a check box that changes the picture. */
-static void each_overlay_is_seen(void **state)
+TEST(each_overlay_is_seen)
 {
-    (void)state;
     static const struct { const char *overlay, *scene; int steps; } rows[] = {
         { "axis", "stack of boxes", 30 }, { "GJK", "stack of boxes", 30 }, { "clipping", "stack of boxes", 30 },
         { "features", "stack of boxes", 30 }, { "forces", "tower", 30 }, { "loads", "bridge", 30 }, { "colours", "pyramid", 10 },
@@ -538,9 +524,8 @@ static void each_overlay_is_seen(void **state)
 }
 
 /* The sliders of the panel: other steps are other pictures, and holding on keeps the pair. */
-static void the_sliders_lead_through_the_steps(void **state)
+TEST(the_sliders_lead_through_the_steps)
 {
-    (void)state;
     static play p;
     begin(&p, "stack of boxes");
     run(&p, 30);
@@ -584,9 +569,8 @@ static int panes_differ(const play *p)
 }
 
 /* A world that is compared with itself stays with it, bit for bit, and the scene's world does not notice. */
-static void comparing_changes_nothing(void **state)
+TEST(comparing_changes_nothing)
 {
-    (void)state;
     static play alone, both;
     begin(&alone, "tower");
     run(&alone, 90);
@@ -634,9 +618,8 @@ static void comparing_changes_nothing(void **state)
 }
 
 /* Through every scene with four worlds, and all curves and overlays on: nothing fails, and nothing is written that isn't finite. */
-static void all_scenes_can_be_compared(void **state)
+TEST(all_scenes_can_be_compared)
 {
-    (void)state;
     static play p;
     begin(&p, "free fall");
     key(&p, 's');
@@ -657,18 +640,4 @@ static void all_scenes_can_be_compared(void **state)
         assert_true(strstr(p.text, "nan") == NULL && strstr(p.text, "inf") == NULL);
     }
     play_end(&p);
-}
-
-int main(void)
-{
-    const char *mode = getenv("WEFT_PICTURES");
-    if (mode && strcmp(mode, "write") == 0) written = fopen(pictures, "w");
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_pair_is_the_nearest), cmocka_unit_test(the_last_cut_is_the_manifold),
-        cmocka_unit_test(a_whole_part_is_the_step), cmocka_unit_test(no_room_is_an_error),
-        cmocka_unit_test(axes_are_nice), cmocka_unit_test(curves_are_the_worlds_numbers),
-        cmocka_unit_test(each_overlay_has_its_picture), cmocka_unit_test(a_plot_has_its_picture), cmocka_unit_test(a_plots_words_have_room), cmocka_unit_test(each_overlay_is_seen), cmocka_unit_test(the_tree_is_the_one_in_use), cmocka_unit_test(the_sliders_lead_through_the_steps),
-        cmocka_unit_test(comparing_changes_nothing), cmocka_unit_test(all_scenes_can_be_compared),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

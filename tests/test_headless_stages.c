@@ -238,9 +238,8 @@ static void nothing_is_declared_in_vain(void)
     }
 }
 
-static void the_page_of_stages_is_true(void **state)
+TEST(the_page_of_stages_is_true)
 {
-    (void)state;
     assert_true(wfStageCount <= MOST_STAGES);
     signal(SIGSEGV, crashed);
     signal(SIGBUS, crashed);
@@ -267,10 +266,4 @@ static void the_page_of_stages_is_true(void **state)
             if (!ran[page][i]) fail_msg("%s: the stage \"%s\" has never run", PAGE_NAME[page], wfStageTable[i].name);
     nothing_is_declared_in_vain();
     assert_int_equal(untrue, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(the_page_of_stages_is_true) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

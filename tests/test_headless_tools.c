@@ -42,9 +42,8 @@ static void drag(bench *b, const char *tool, wfVec2 from, wfVec2 to)
     stroke(b, tool, p, 2);
 }
 
-static void every_choice_places_a_body(void **state)
+TEST(every_choice_places_a_body)
 {
-    (void)state;
     bench b;
     open_bench(&b, NULL);
     const double density[] = { 1, 1.5, 1.3, 10 };
@@ -72,9 +71,8 @@ static void every_choice_places_a_body(void **state)
     close_bench(&b);
 }
 
-static void every_joint_joins(void **state)
+TEST(every_joint_joins)
 {
-    (void)state;
     for (int kind = 0; kind < wfJointKinds; kind++)
         for (int way = 0; way < 3; way++) {                         /* body to body, body to ground, ground to body */
             bench b;
@@ -126,9 +124,8 @@ static double area_of(const wfVec2 *p, int n)
     return fabs(a) / 2;
 }
 
-static void outlines_are_drawn_by_hand(void **state)
+TEST(outlines_are_drawn_by_hand)
 {
-    (void)state;
     wfVec2 ell[] = { wfV2(0, 0), wfV2(2, 0), wfV2(2, WF_R(0.5)), wfV2(WF_R(0.5), WF_R(0.5)), wfV2(WF_R(0.5), 2), wfV2(0, 2) };
     wfVec2 box[] = { wfV2(0, 0), wfV2(1, 0), wfV2(1, 1), wfV2(0, 1) };
     wfVec2 star[10], p[TOOL_POINTS];
@@ -154,9 +151,8 @@ static void outlines_are_drawn_by_hand(void **state)
         }
 }
 
-static void a_figure_of_eight_is_refused_and_says_where(void **state)
+TEST(a_figure_of_eight_is_refused_and_says_where)
 {
-    (void)state;
     wfVec2 eight[] = { wfV2(0, 0), wfV2(2, 2), wfV2(2, 0), wfV2(0, 2) }, p[TOOL_POINTS];
     bench b;
     open_bench(&b, NULL);
@@ -194,9 +190,8 @@ static wfVec2 any_place(void)
     return wfV2(x, (wfReal)(dice() % 2000) / 1000);
 }
 
-static void the_lasso_takes_who_is_inside(void **state)
+TEST(the_lasso_takes_who_is_inside)
 {
-    (void)state;
     for (int run = 0; run < 60; run++) {
         bench b;
         open_bench(&b, NULL);
@@ -221,9 +216,8 @@ static void the_lasso_takes_who_is_inside(void **state)
     }
 }
 
-static void chosen_bodies_are_pinned_and_removed_together(void **state)
+TEST(chosen_bodies_are_pinned_and_removed_together)
 {
-    (void)state;
     bench b;
     open_bench(&b, NULL);
     for (int i = 0; i < 3; i++) drag(&b, "Place", wfV2((wfReal)(2 * i), 0), wfV2((wfReal)(2 * i) + WF_R(0.5), 0));
@@ -243,9 +237,8 @@ static void chosen_bodies_are_pinned_and_removed_together(void **state)
     close_bench(&b);
 }
 
-static void a_hinge_holds_two_that_lie_on_each_other(void **state)
+TEST(a_hinge_holds_two_that_lie_on_each_other)
 {
-    (void)state;
     bench b;
     open_bench(&b, NULL);
     b.memory.choice[TOOL_SHAPE] = 1;
@@ -259,9 +252,8 @@ static void a_hinge_holds_two_that_lie_on_each_other(void **state)
     close_bench(&b);
 }
 
-static void the_probe_says_what_the_query_says(void **state)
+TEST(the_probe_says_what_the_query_says)
 {
-    (void)state;
     bench b;
     uint8_t *ink = malloc(1 << 16);
     wfDraw d;
@@ -288,9 +280,8 @@ static void the_probe_says_what_the_query_says(void **state)
     close_bench(&b);
 }
 
-static void what_a_world_lacks_is_refused_without_room(void **state)
+TEST(what_a_world_lacks_is_refused_without_room)
 {
-    (void)state;
     bench b;
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 2;
@@ -307,11 +298,9 @@ static void what_a_world_lacks_is_refused_without_room(void **state)
 }
 
 /* ---- in the game ---- */
-static void tools_are_chosen_by_button_and_by_key(void **state)
+TEST(tools_are_chosen_by_button_and_by_key)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene pyramid\nsteps 0\nframe\n");
     for (int i = 0; i < toolCount; i++) {
         char line[80], script[40];
@@ -327,11 +316,9 @@ static void tools_are_chosen_by_button_and_by_key(void **state)
     play_end(&p);
 }
 
-static void a_mouse_places_connects_and_deletes(void **state)
+TEST(a_mouse_places_connects_and_deletes)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene free-fall\nkey p\nframe\n");
     double bodies = play_fact(&p, "bodies", 0);
     play_click(&p, "Place");
@@ -355,11 +342,9 @@ static void a_mouse_places_connects_and_deletes(void **state)
     play_end(&p);
 }
 
-static void keys_alone_do_what_a_mouse_does(void **state)
+TEST(keys_alone_do_what_a_mouse_does)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene free-fall\nkey p\nframe\nkey b\nframe\nkey m\nframe\n");
     double bodies = play_fact(&p, "bodies", 0), view = play_fact(&p, "view", 0);
     play_run(&p, "key right\nkey up\nframe\nkey enter\nframe\nkey right\nkey right\nkey right\nframe\nkey enter\nframe\n");
@@ -374,11 +359,9 @@ static void keys_alone_do_what_a_mouse_does(void **state)
     play_end(&p);
 }
 
-static void a_full_world_grows(void **state)
+TEST(a_full_world_grows)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene free-fall\nkey p\nframe\nkey b\nframe\n");
     int bodies = (int)play_fact(&p, "bodies", 0), made = 0;
     char script[200];
@@ -396,11 +379,9 @@ static void a_full_world_grows(void **state)
 
 /* 160 boxes on each other are 12,720 pairs, and only their number grew with the tool: the step wants more room as well. All of it is on
  * the tape, which is played in a world that a reset has made small again. */
-static void a_world_too_full_for_a_step_grows(void **state)
+TEST(a_world_too_full_for_a_step_grows)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene free-fall\nkey p\nkey f\nframe\nkey b\nframe\n");
     int bodies = (int)play_fact(&p, "bodies", 0);
     for (int i = 0; i < 160; i++) {
@@ -421,11 +402,9 @@ static void a_world_too_full_for_a_step_grows(void **state)
     play_end(&p);
 }
 
-static void the_wheel_turns_what_is_held(void **state)
+TEST(the_wheel_turns_what_is_held)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nkey p\nframe\n");
     double px = play_fact(&p, "body 6", 2), py = play_fact(&p, "body 6", 3), view = play_fact(&p, "view", 2);
     char script[300];
@@ -437,11 +416,9 @@ static void the_wheel_turns_what_is_held(void **state)
     play_end(&p);
 }
 
-static void the_lasso_drags_and_throws(void **state)
+TEST(the_lasso_drags_and_throws)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1100, 700, 1);
+    play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nkey p\nkey l\nframe\n");
     double ax = play_fact(&p, "body 5", 2), ay = play_fact(&p, "body 5", 3), bx = play_fact(&p, "body 6", 2), by = play_fact(&p, "body 6", 3);
     char script[500];
@@ -456,18 +433,4 @@ static void the_lasso_drags_and_throws(void **state)
     assert_true(rise > 0.5);
     assert_near(play_fact(&p, "body 5", 1) - from, rise, 0.05 * rise + 0.05);   /* both, by the same way */
     play_end(&p);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_choice_places_a_body), cmocka_unit_test(every_joint_joins), cmocka_unit_test(outlines_are_drawn_by_hand),
-        cmocka_unit_test(a_figure_of_eight_is_refused_and_says_where), cmocka_unit_test(the_lasso_takes_who_is_inside),
-        cmocka_unit_test(chosen_bodies_are_pinned_and_removed_together), cmocka_unit_test(a_hinge_holds_two_that_lie_on_each_other),
-        cmocka_unit_test(the_probe_says_what_the_query_says), cmocka_unit_test(what_a_world_lacks_is_refused_without_room),
-        cmocka_unit_test(tools_are_chosen_by_button_and_by_key), cmocka_unit_test(a_mouse_places_connects_and_deletes),
-        cmocka_unit_test(keys_alone_do_what_a_mouse_does), cmocka_unit_test(a_full_world_grows), cmocka_unit_test(a_world_too_full_for_a_step_grows), cmocka_unit_test(the_wheel_turns_what_is_held),
-        cmocka_unit_test(the_lasso_drags_and_throws),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

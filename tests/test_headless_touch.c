@@ -21,14 +21,13 @@ static void press(play *p, const char *name) { finger(p, widget(p, name, 0), wid
 static void begin(play *p, const char *scene)
 {
     char script[100];
-    play_begin(p, 780, 1500, 2);
+    *p = play_open(780, 1500, 2);
     snprintf(script, sizeof script, "finger 1\nsteps 0\nscene %s\nframe\nframe\n", scene);
     play_run(p, script);
 }
 
-static void a_tap_clicks_and_a_stroke_does_not(void **state)
+TEST(a_tap_clicks_and_a_stroke_does_not)
 {
-    (void)state;
     play p;
     begin(&p, "stack-of-boxes");
     finger(&p, widget(&p, "Pause", 0), widget(&p, "Pause", 1), 0, 120);
@@ -43,9 +42,8 @@ static void a_tap_clicks_and_a_stroke_does_not(void **state)
     play_end(&p);
 }
 
-static void the_list_is_a_drawer(void **state)
+TEST(the_list_is_a_drawer)
 {
-    (void)state;
     play p;
     begin(&p, "stack-of-boxes");
     assert_near(play_fact(&p, "list", 0), 0, 0);
@@ -65,7 +63,7 @@ static void the_list_is_a_drawer(void **state)
     finger(&p, 740, 700, 0, 0);
     assert_near(play_fact(&p, "list", 0), 0, 0);
     play_end(&p);
-    play_begin(&p, 1688, 660, 2);                               /* lying: 675 x 264 units, and all of them for the scenes */
+    p = play_open(1688, 660, 2);                               /* lying: 675 x 264 units, and all of them for the scenes */
     play_run(&p, "finger 1\nsteps 0\nscene spring-and-orbit\nframe\nframe\n");
     press(&p, "List");
     assert_null(strstr(p.text, "widget contacts "));
@@ -73,9 +71,8 @@ static void the_list_is_a_drawer(void **state)
     play_end(&p);
 }
 
-static void one_finger_moves_the_view_where_nothing_is_held(void **state)
+TEST(one_finger_moves_the_view_where_nothing_is_held)
 {
-    (void)state;
     play p;
     begin(&p, "stack-of-boxes");
     double x = play_fact(&p, "view", 0), y = play_fact(&p, "view", 1), a = play_fact(&p, "body 6 x", 2), b = play_fact(&p, "body 6 x", 3);
@@ -95,7 +92,7 @@ static void one_finger_moves_the_view_where_nothing_is_held(void **state)
     assert_near(play_fact(&p, "body 6 x", 2), a + 31, 0.2);
     assert_near(play_fact(&p, "body 6 x", 3), b - 17, 0.2);
     play_end(&p);
-    play_begin(&p, 1000, 700, 1);                               /* a mouse doesn't */
+    p = play_open(1000, 700, 1);                               /* a mouse doesn't */
     play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
     x = play_fact(&p, "view", 0);
     play_run(&p, "steps 0\nmove 300 300\nframe\ndown left\nframe\nmove 400 320\nframe\nup left\nframe\n");
@@ -104,13 +101,11 @@ static void one_finger_moves_the_view_where_nothing_is_held(void **state)
 }
 
 /* Of a wheel the distance counts: 3 notches at once, one by one, or in sixty parts. */
-static void the_wheel_counts_distance(void **state)
+TEST(the_wheel_counts_distance)
 {
-    (void)state;
     double height[3];
     for (int way = 0; way < 3; way++) {
-        play p;
-        play_begin(&p, 1000, 700, 1);
+        play p = play_open(1000, 700, 1);
         play_run(&p, "steps 0\nscene stack-of-boxes\nmove 500 300\nframe\nframe\n");
         double before = play_fact(&p, "view", 2);
         if (way == 0) play_run(&p, "steps 0\nmove 500 300\nwheel 3\nframe\n");
@@ -124,9 +119,8 @@ static void the_wheel_counts_distance(void **state)
     for (int way = 0; way < 3; way++) assert_near(height[way], 1.15 * 1.15 * 1.15, 1e-4);
     /* and so it turns what is held: 2 notches are 0.4 rad, whatever their parts; a spring of 25 rad/s is there after 60 steps */
     for (int parts = 1; parts <= 20; parts += 19) {
-        play p;
         char script[300];
-        play_begin(&p, 1000, 700, 1);
+        play p = play_open(1000, 700, 1);
         play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
         double x = play_fact(&p, "body 6 x", 2), y = play_fact(&p, "body 6 x", 3);
         snprintf(script, sizeof script, "steps 1\nmove %g %g\ndown left\nframe\nmove %g %g\nwait 90\n", x, y, x, y - 60);
@@ -149,11 +143,9 @@ static void the_wheel_counts_distance(void **state)
     }
 }
 
-static void a_bare_picture_has_no_bars(void **state)
+TEST(a_bare_picture_has_no_bars)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 380, 220, 1);
+    play p = play_open(380, 220, 1);
     play_run(&p, "bare 1\nfinger 1\nsteps 0\nscene stack-of-boxes\nframe\nframe\n");
     assert_null(strstr(p.text, "\nwidget "));
     double top = play_fact(&p, "body 6 x", 3), low = play_fact(&p, "body 1 x", 3);
@@ -161,11 +153,9 @@ static void a_bare_picture_has_no_bars(void **state)
     play_end(&p);
 }
 
-static void letters_grow_and_the_size_is_kept(void **state)
+TEST(letters_grow_and_the_size_is_kept)
 {
-    (void)state;
-    play p;
-    play_begin(&p, 1800, 1000, 1);
+    play p = play_open(1800, 1000, 1);
     play_run(&p, "steps 0\nframe\nframe\n");
     double was = widget(&p, "Step", 0);
     play_click(&p, "Size");                                     /* as usual, then each size, then as usual again */
@@ -184,17 +174,15 @@ static void letters_grow_and_the_size_is_kept(void **state)
 }
 
 /* Where the picture changes when a tip comes: in the world's room, and never on another widget. */
-static void tips_cover_no_widget(void **state)
+TEST(tips_cover_no_widget)
 {
-    (void)state;
     static const struct { int width, height; const char *widget; } cases[] = {
         { 1100, 700, "Step" }, { 1100, 700, "Settings" }, { 1100, 700, "Probe" }, { 1100, 700, "islands" }, { 1100, 700, "contacts" },
         { 1100, 700, "gravity.y" }, { 1100, 700, "position share" }, { 640, 460, "Home" }, { 820, 560, "touching" }, { 1100, 700, "time" },
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        play p;
         char script[200], label[64];
-        play_begin(&p, cases[i].width, cases[i].height, 1);
+        play p = play_open(cases[i].width, cases[i].height, 1);
         play_run(&p, "steps 1\nscene stack-of-boxes\nwait 20\nkey p\nframe\n");
         bool panel = strchr(cases[i].widget, '.') || strchr(cases[i].widget, ' ');
         if (panel) play_run(&p, "steps 0\nkey s\nframe\nframe\n");
@@ -232,15 +220,4 @@ static void tips_cover_no_widget(void **state)
         free(was);
         play_end(&p);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_tap_clicks_and_a_stroke_does_not), cmocka_unit_test(the_list_is_a_drawer),
-        cmocka_unit_test(one_finger_moves_the_view_where_nothing_is_held), cmocka_unit_test(the_wheel_counts_distance),
-        cmocka_unit_test(a_bare_picture_has_no_bars), cmocka_unit_test(letters_grow_and_the_size_is_kept),
-        cmocka_unit_test(tips_cover_no_widget),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

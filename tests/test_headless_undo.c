@@ -107,7 +107,7 @@ enum { EDITS = sizeof edits / sizeof *edits, BEGIN = 60 };
 /* Stands, paused, at a step before the last, by the bar. Returns the step. */
 static int begin_back(play *p)
 {
-    play_begin(p, 1100, 700, 1);
+    *p = play_open(1100, 700, 1);
     play_run(p, "scene tower\nsteps 1\nwait 1\n");
     char script[64];
     snprintf(script, sizeof script, "steps 1\nwait %d\n", BEGIN - 1);
@@ -122,7 +122,7 @@ static int begin_back(play *p)
 static void begin_plain(play *p, int step)
 {
     char script[64];
-    play_begin(p, 1100, 700, 1);
+    *p = play_open(1100, 700, 1);
     play_run(p, "scene tower\nsteps 1\nwait 1\n");
     snprintf(script, sizeof script, "steps 1\nwait %d\n", step - 1);
     unseen(p, script);
@@ -145,9 +145,8 @@ static uint64_t expected(const edit *e, int step, int after)
     return h;
 }
 
-static void a_change_made_back_in_time_stays(void **state)
+TEST(a_change_made_back_in_time_stays)
 {
-    (void)state;
     for (int i = 0; i < EDITS; i++) {
         play p;
         int step = begin_back(&p);
@@ -175,9 +174,8 @@ static void a_change_made_back_in_time_stays(void **state)
     }
 }
 
-static void a_change_made_back_in_time_is_saved(void **state)
+TEST(a_change_made_back_in_time_is_saved)
 {
-    (void)state;
     for (int i = 0; i < EDITS; i++) {
         play p, q;
         int step = begin_back(&p);
@@ -191,7 +189,7 @@ static void a_change_made_back_in_time_is_saved(void **state)
         }
         play_run(&p, "steps 0\nkey w\nframe\n");
         assert_string_equal(p.file.name, "world.save");
-        play_begin(&q, 1100, 700, 1);
+        q = play_open(1100, 700, 1);
         q.file = p.file, q.file.bytes = malloc(GAME_FILE_BYTES), q.file.wish = GAME_FILE_NONE;
         play_run(&q, "steps 0\nframe\n");
         q.memory.file = &q.file;
@@ -208,9 +206,8 @@ static void a_change_made_back_in_time_is_saved(void **state)
     }
 }
 
-static void what_came_after_a_change_is_forgotten(void **state)
+TEST(what_came_after_a_change_is_forgotten)
 {
-    (void)state;
     play p;
     int step = begin_back(&p);
     place(&p);
@@ -226,9 +223,8 @@ static void what_came_after_a_change_is_forgotten(void **state)
     play_end(&p);
 }
 
-static void every_change_is_undone_and_made_again(void **state)
+TEST(every_change_is_undone_and_made_again)
 {
-    (void)state;
     for (int i = 0; i < EDITS; i++) for (int back = 0; back < 2; back++) {
         play p;
         int step = 30;
@@ -253,9 +249,8 @@ static void every_change_is_undone_and_made_again(void **state)
     }
 }
 
-static void nothing_is_left_of_a_refused_change_and_the_last_63_are_kept(void **state)
+TEST(nothing_is_left_of_a_refused_change_and_the_last_63_are_kept)
 {
-    (void)state;
     play p;
     begin_plain(&p, 5);
     drag(&p, "x", 900, 160, 0, 0);                                                  /* there is no body */
@@ -271,14 +266,4 @@ static void nothing_is_left_of_a_refused_change_and_the_last_63_are_kept(void **
     play_run(&p, "steps 0\nkey r\nframe\nkey undo\nframe\n");
     assert_true(play_says(&p, "said there is nothing to undo"));
     play_end(&p);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_change_made_back_in_time_stays), cmocka_unit_test(a_change_made_back_in_time_is_saved),
-        cmocka_unit_test(what_came_after_a_change_is_forgotten), cmocka_unit_test(every_change_is_undone_and_made_again),
-        cmocka_unit_test(nothing_is_left_of_a_refused_change_and_the_last_63_are_kept),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

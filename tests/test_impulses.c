@@ -52,9 +52,8 @@ static wfSolve problem(wfBodyState *state, int bodies, wfContact *contacts, int 
 
 /* ------------------------------------------------------------------------------ the parts of an impulse */
 
-static void normal_velocity_has_the_sign_of_parting(void **unused)
+TEST(normal_velocity_has_the_sign_of_parting)
 {
-    (void)unused;
     wfBodyState a = moving(0, 0, 1, 0, 2, 1, 1), b = moving(4, 0, -3, 5, -1, 1, 1);
     wfVec2 p = wfV2(1, 2);
     /* v_AP = (1 - 2*2, 0 + 2*1) = (-3, 2); arm of B (-3, 2): v_BP = (-3 + 1*2, 5 + 1*3) = (-1, 8) */
@@ -63,9 +62,8 @@ static void normal_velocity_has_the_sign_of_parting(void **unused)
     assert_ulps(wfRelativeNormalVelocity(&b, &a, p, wfV2(0, 1)), -6, 2, 8);
 }
 
-static void effective_mass_by_hand(void **unused)
+TEST(effective_mass_by_hand)
 {
-    (void)unused;
     wfBodyState a = still(0, 0, 2, 4), b = still(3, 1, 5, 10), wall = still(9, 9, 0, 0);
     wfVec2 p = wfV2(1, 3), n = wfV2(0, 1);
     /* arms (1,3) and (-2,2); times n: 1 and -2. K = 1/2 + 1/5 + 1/4 + 4/10 = 1.35 */
@@ -76,9 +74,8 @@ static void effective_mass_by_hand(void **unused)
     assert_true(wfEffectiveMass(&wall, &wall, p, n) == 0);
 }
 
-static void central_collision_of_two_discs(void **unused)
+TEST(central_collision_of_two_discs)
 {
-    (void)unused;
     /* The schoolbook: v1' = (m1 u1 + m2 u2 - m2 e (u1 - u2)) / (m1 + m2), v2' likewise with + m1 e. */
     for (int k = 0; k <= 10; k++) {
         double e = k / 10.0, m1 = 2, m2 = 1, u1 = 3, u2 = -1;
@@ -93,9 +90,8 @@ static void central_collision_of_two_discs(void **unused)
     }
 }
 
-static void oblique_collision_keeps_the_sideways_velocity(void **unused)
+TEST(oblique_collision_keeps_the_sideways_velocity)
 {
-    (void)unused;
     wfReal h = wfSqrt(WF_R(0.5));
     wfBodyState a = moving(0, 0, 2, 0, 0, 1, 1), b = still(1, 1, 1, 1);
     wfResolvePoint(&a, &b, wfV2(WF_R(0.5), WF_R(0.5)), wfV2(h, h), 1);
@@ -104,9 +100,8 @@ static void oblique_collision_keeps_the_sideways_velocity(void **unused)
     assert_ulps2(b.v, wfV2(1, 1), 8, 2);
 }
 
-static void hit_at_the_end_of_a_rod_by_hand(void **unused)
+TEST(hit_at_the_end_of_a_rod_by_hand)
 {
-    (void)unused;
     /* A rod of 1 kg and 2 m (I = 1/3) lies still; 1 kg comes down on its end at 1 m/s, e = 1.
      * K = 1 + 1 + 1 * 3 = 5, j = 2/5: the rod gets v = -0.4, w = 3 * (1 * -0.4) = -1.2; the stone goes on with -0.6. */
     wfBodyState rod = still(0, 0, 1, 1.0 / 3), stone = moving(1, 0, 0, -1, 0, 1, 0);
@@ -123,9 +118,8 @@ static void hit_at_the_end_of_a_rod_by_hand(void **unused)
     assert_ulps2(stone2.v, wfV2(0, WF_R(-0.6)), 4, 1);
 }
 
-static void parting_bodies_are_left_alone(void **unused)
+TEST(parting_bodies_are_left_alone)
 {
-    (void)unused;
     wfBodyState a = moving(0, 0, -1, 0, 0, 1, 1), b = moving(2, 0, 1, 0, 0, 1, 1), wall = still(0, 0, 0, 0);
     wfBodyState a0 = a, b0 = b, rest = still(2, 0, 1, 1), rest0 = rest;
     assert_true(wfResolvePoint(&a, &b, wfV2(1, 0), wfV2(1, 0), 1) == 0);
@@ -138,9 +132,8 @@ static void parting_bodies_are_left_alone(void **unused)
     assert_memory_equal(&lift, &lift0, sizeof lift);
 }
 
-static void moving_platform_throws_a_ball(void **unused)
+TEST(moving_platform_throws_a_ball)
 {
-    (void)unused;
     /* A kinematic bat at 3 m/s meets a ball at -1 m/s, e = 0.5: seen from the bat -4 becomes +2: the ball leaves at 5. */
     wfBodyState bat = moving(0, 0, 0, 3, 0, 0, 0), ball = moving(0, 1, 0, -1, 0, 7, 1);
     wfResolvePoint(&bat, &ball, wfV2(0, WF_R(0.5)), wfV2(0, 1), WF_R(0.5));
@@ -148,9 +141,8 @@ static void moving_platform_throws_a_ball(void **unused)
     assert_true(bat.v.y == 3);
 }
 
-static void contact_impulse_has_two_ends(void **unused)
+TEST(contact_impulse_has_two_ends)
 {
-    (void)unused;
     wfBodyState a = still(0, 0, 2, 3), b = still(4, 0, 5, 7);
     wfApplyContactImpulse(&a, &b, wfV2(1, 1), wfV2(2, 3));
     assert_ulps2(a.v, wfV2(-1, WF_R(-1.5)), 4, 2);
@@ -188,9 +180,8 @@ static wfBodyState random_body(wfRandom *r)
     return s;
 }
 
-static void random_bounces_obey_the_laws(void **unused)
+TEST(random_bounces_obey_the_laws)
 {
-    (void)unused;
     wfRandom r = random_stream(14);
     int bounced = 0;
     for (int i = 0; i < 5000; i++) {
@@ -218,9 +209,8 @@ static void random_bounces_obey_the_laws(void **unused)
     assert_true(bounced > 2000);
 }
 
-static void a_list_of_contacts_keeps_momentum_and_never_adds_energy(void **unused)
+TEST(a_list_of_contacts_keeps_momentum_and_never_adds_energy)
 {
-    (void)unused;
     enum { N = 8, C = 20 };
     wfRandom r = random_stream(141);
     for (int round = 0; round < 300; round++) {
@@ -250,9 +240,8 @@ static void a_list_of_contacts_keeps_momentum_and_never_adds_energy(void **unuse
 
 /* ------------------------------------------------------------------------------ two points */
 
-static void flat_landing_does_not_spin(void **unused)
+TEST(flat_landing_does_not_spin)
 {
-    (void)unused;
     for (int k = 0; k <= 2; k++) {
         wfReal e = WF_R(0.5) * (wfReal)k;
         wfBodyState s[2] = { still(0, 0, 0, 0), moving(0, 0.5, 0.25, -1, 0, 1, 1.0 / 6) };
@@ -267,9 +256,8 @@ static void flat_landing_does_not_spin(void **unused)
     }
 }
 
-static void one_point_after_the_other_spins(void **unused)
+TEST(one_point_after_the_other_spins)
 {
-    (void)unused;
     /* By hand, e = 0, K = 1 + 6/4 = 2.5: left j = .4: v -.6, w -1.2; the right corner now falls at 1.2: j = .48:
      * v = -.12, w = .24. The row that takes both together has none of it. */
     for (int swap = 0; swap < 2; swap++) {
@@ -289,9 +277,8 @@ static void one_point_after_the_other_spins(void **unused)
     }
 }
 
-static void box_on_a_ledge(void **unused)
+TEST(box_on_a_ledge)
 {
-    (void)unused;
     wfReal j[2];
     /* Held on both sides of its centre (-.5 and .1): it stays level, by hand j = 1/6 and 5/6. */
     wfBodyState ledge = still(0, 0, 0, 0), box = moving(0, 0.5, 0, -1, 0, 1, 1.0 / 6);
@@ -317,9 +304,8 @@ static void box_on_a_ledge(void **unused)
     assert_ulps(box.w, 0.6 / 1.06, 16, 1);
 }
 
-static void two_points_are_told_apart_at_any_mass(void **unused)
+TEST(two_points_are_told_apart_at_any_mass)
 {
-    (void)unused;
     wfReal j[2];
     for (int k = -4; k <= 4; k++) {
         double mass = pow(10, k);
@@ -342,9 +328,8 @@ static void two_points_are_told_apart_at_any_mass(void **unused)
     }
 }
 
-static void random_two_point_contacts_meet_their_conditions(void **unused)
+TEST(random_two_point_contacts_meet_their_conditions)
 {
-    (void)unused;
     wfRandom r = random_stream(142);
     int pushed[4] = { 0, 0, 0, 0 }, refused = 0;
     for (int i = 0; i < 5000; i++) {
@@ -384,9 +369,8 @@ static void random_two_point_contacts_meet_their_conditions(void **unused)
     assert_true(refused < 35 + 5 * 6);
 }
 
-static void points_that_cannot_be_told_apart(void **unused)
+TEST(points_that_cannot_be_told_apart)
 {
-    (void)unused;
     wfReal j[2];
     wfBodyState floor = still(0, 0, 0, 0), s[2] = { floor, moving(0, 1, 0, -2, 0, 2, 0) }, s0 = s[1];
     wfContact c = two_points(0, 1, wfV2(0, 1), wfV2(-1, 0), wfV2(1, 0), 0.5);
@@ -405,9 +389,8 @@ static void points_that_cannot_be_told_apart(void **unused)
 
 /* ------------------------------------------------------------------------------ resting, passes, cradle */
 
-static void slow_contacts_do_not_bounce(void **unused)
+TEST(slow_contacts_do_not_bounce)
 {
-    (void)unused;
     assert_ulps(wfRestingSpeed(wfV2(3, -4), WF_R(0.01), 2), 0.1, 4, 0.1);
     assert_true(wfRestingSpeed(wfV2(3, -4), WF_R(0.01), 0) == 0);
     const double speed[] = { 0.099, 0.101 }, want[] = { 0, 0.0505 };
@@ -422,9 +405,8 @@ static void slow_contacts_do_not_bounce(void **unused)
     }
 }
 
-static void the_faster_of_two_points_decides(void **unused)
+TEST(the_faster_of_two_points_decides)
 {
-    (void)unused;
     /* w = 1: the corners at -.5 and .5 approach at 0.6 and a parting -0.4: above 0.5 bounces for both, 0.7 rests. */
     for (int i = 0; i < 2; i++) {
         wfBodyState s[2] = { still(0, 0, 0, 0), moving(0, 0.5, 0, -0.1, 1, 1, 1.0 / 6) };
@@ -438,9 +420,8 @@ static void the_faster_of_two_points_decides(void **unused)
     }
 }
 
-static void a_kick_runs_through_a_row_of_balls(void **unused)
+TEST(a_kick_runs_through_a_row_of_balls)
 {
-    (void)unused;
     enum { N = 5 };
     for (int backwards = 0; backwards < 2; backwards++) {
         wfBodyState s[N];
@@ -461,9 +442,8 @@ static void a_kick_runs_through_a_row_of_balls(void **unused)
 
 /* ------------------------------------------------------------------------------ positions */
 
-static void overlap_is_shared_by_inverse_mass(void **unused)
+TEST(overlap_is_shared_by_inverse_mass)
 {
-    (void)unused;
     wfBodyState s[2] = { moving(0, 0, 1, 2, 3, 1, 1), moving(0, 1, 4, 5, 6, 3, 1) }, s0[2] = { s[0], s[1] };
     wfContact c = contact_at(0, 1, wfV2(0, 1), wfV2(0, WF_R(0.5)), 0.4, 0);
     wfPool pool = scratch();
@@ -476,9 +456,8 @@ static void overlap_is_shared_by_inverse_mass(void **unused)
     assert_true(pool.used == 0);
 }
 
-static void a_floor_does_not_yield(void **unused)
+TEST(a_floor_does_not_yield)
 {
-    (void)unused;
     wfBodyState s[2] = { still(0, 0, 0, 0), still(0, 1, 3, 1) };
     wfContact c = contact_at(0, 1, wfV2(0, 1), wfV2(0, 0), 0.4, 0);
     wfPool pool = scratch();
@@ -493,9 +472,8 @@ static void a_floor_does_not_yield(void **unused)
     assert_true(both[1].p.y == 1);
 }
 
-static void slop_and_share(void **unused)
+TEST(slop_and_share)
 {
-    (void)unused;
     /* d = .4, slop = .1, share = .25: to .1 + .75 * .3 = .325, so the box moves .075. */
     wfBodyState s[2] = { still(0, 0, 0, 0), still(0, 1, 3, 1) };
     wfContact c = contact_at(0, 1, wfV2(0, 1), wfV2(0, 0), 0.4, 0);
@@ -512,9 +490,8 @@ static void slop_and_share(void **unused)
     assert_true(s[1].p.y == 1);
 }
 
-static void two_contacts_do_not_push_twice(void **unused)
+TEST(two_contacts_do_not_push_twice)
 {
-    (void)unused;
     wfBodyState s[2] = { still(0, 0, 1, 1), still(0, 1, 1, 1) };
     wfContact c[2] = { contact_at(0, 1, wfV2(0, 1), wfV2(0, 0), 0.4, 0), contact_at(0, 1, wfV2(0, 1), wfV2(0, 0), 0.2, 0) };
     wfPool pool = scratch();
@@ -534,9 +511,8 @@ static void two_contacts_do_not_push_twice(void **unused)
     }
 }
 
-static void a_stack_is_pushed_apart_by_passes(void **unused)
+TEST(a_stack_is_pushed_apart_by_passes)
 {
-    (void)unused;
     /* floor - box - box, each contact .1 deep: the lower box must rise .1 and the upper .2. Gauss-Seidel halves the
      * error with each pass: after 30 passes nothing that a float can see is left. */
     wfBodyState s[3] = { still(0, 0, 0, 0), still(0, 1, 1, 1), still(0, 2, 1, 1) };
@@ -551,9 +527,8 @@ static void a_stack_is_pushed_apart_by_passes(void **unused)
 
 /* ------------------------------------------------------------------------------ the table, materials, bad input */
 
-static void rows_are_found_by_name(void **unused)
+TEST(rows_are_found_by_name)
 {
-    (void)unused;
     assert_int_equal(wfFindSolver("impulse"), 0);
     for (int i = 0; i < wfSolverCount; i++) {
         assert_int_equal(wfFindSolver(wfSolverTable[i].name), i);
@@ -567,9 +542,8 @@ static void rows_are_found_by_name(void **unused)
     assert_int_equal(wfFindSolver(NULL), -1);
 }
 
-static void materials_mix(void **unused)
+TEST(materials_mix)
 {
-    (void)unused;
     assert_true(wfMixRestitution(WF_R(0.25), WF_R(0.75)) == WF_R(0.75));
     assert_true(wfMixRestitution(WF_R(0.75), WF_R(0.25)) == WF_R(0.75));
     assert_ulps(wfMixFriction(WF_R(0.25), 1), 0.5, 2, 1);
@@ -605,9 +579,8 @@ static void refused(Case *k, wfResult want)
     assert_memory_equal(before, k->s, sizeof before);
 }
 
-static void bad_numbers_are_refused(void **unused)
+TEST(bad_numbers_are_refused)
 {
-    (void)unused;
     for (int b = 0; b < BAD_REAL_COUNT; b++)
         for (int field = 0; ; field++) {
             Case k;
@@ -625,9 +598,8 @@ static void bad_numbers_are_refused(void **unused)
         }
 }
 
-static void numbers_out_of_range_are_refused(void **unused)
+TEST(numbers_out_of_range_are_refused)
 {
-    (void)unused;
     for (int field = 0; ; field++) {
         static const struct { int at; double value; } bad[] = { { 0, 0 }, { 0, -1 }, { 1, -0.1 }, { 2, -0.1 }, { 2, 1.1 },
             { 3, -0.1 }, { 4, -0.1 }, { 4, 1.1 }, { 5, -0.1 }, { 6, -1 }, { 7, -1 }, { 8, -0.1 }, { 9, -1 }, { 10, -1 }, { 11, -1 } };
@@ -657,9 +629,8 @@ static void numbers_out_of_range_are_refused(void **unused)
 static void no_begin(void *c, const wfSolve *in, const wfMoved *m, wfReal dt, wfReal t) { (void)c, (void)in, (void)m, (void)dt, (void)t; }
 static void no_solve(void *c, const wfSolve *in, const wfMoved *m, wfReal dt, int32_t pass, bool is_soft) { (void)c, (void)in, (void)m, (void)dt, (void)pass, (void)is_soft; }
 
-static void missing_parts_are_refused(void **unused)
+TEST(missing_parts_are_refused)
 {
-    (void)unused;
     Case k;
     good_case(&k);
     assert_ok(wfCheckSolve(&k.in));
@@ -710,9 +681,8 @@ static void missing_parts_are_refused(void **unused)
     assert_ok(wfSolvePositions(0, &k.in));
 }
 
-static void too_little_scratch_changes_nothing(void **unused)
+TEST(too_little_scratch_changes_nothing)
 {
-    (void)unused;
     Case k;
     good_case(&k);
     k.pool.size = 2 * sizeof(wfVec2) - 1;
@@ -723,27 +693,4 @@ static void too_little_scratch_changes_nothing(void **unused)
     k.pool.size++;
     assert_ok(wfSolvePositions(0, &k.in));
     assert_true(k.s[1].p.y > 1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(normal_velocity_has_the_sign_of_parting), cmocka_unit_test(effective_mass_by_hand),
-        cmocka_unit_test(central_collision_of_two_discs), cmocka_unit_test(oblique_collision_keeps_the_sideways_velocity),
-        cmocka_unit_test(hit_at_the_end_of_a_rod_by_hand), cmocka_unit_test(parting_bodies_are_left_alone),
-        cmocka_unit_test(moving_platform_throws_a_ball), cmocka_unit_test(contact_impulse_has_two_ends),
-        cmocka_unit_test(random_bounces_obey_the_laws),
-        cmocka_unit_test(a_list_of_contacts_keeps_momentum_and_never_adds_energy),
-        cmocka_unit_test(flat_landing_does_not_spin), cmocka_unit_test(one_point_after_the_other_spins),
-        cmocka_unit_test(box_on_a_ledge), cmocka_unit_test(two_points_are_told_apart_at_any_mass), cmocka_unit_test(random_two_point_contacts_meet_their_conditions),
-        cmocka_unit_test(points_that_cannot_be_told_apart), cmocka_unit_test(slow_contacts_do_not_bounce),
-        cmocka_unit_test(the_faster_of_two_points_decides), cmocka_unit_test(a_kick_runs_through_a_row_of_balls),
-        cmocka_unit_test(overlap_is_shared_by_inverse_mass), cmocka_unit_test(a_floor_does_not_yield),
-        cmocka_unit_test(slop_and_share), cmocka_unit_test(two_contacts_do_not_push_twice),
-        cmocka_unit_test(a_stack_is_pushed_apart_by_passes), cmocka_unit_test(rows_are_found_by_name),
-        cmocka_unit_test(materials_mix), cmocka_unit_test(bad_numbers_are_refused),
-        cmocka_unit_test(numbers_out_of_range_are_refused), cmocka_unit_test(missing_parts_are_refused),
-        cmocka_unit_test(too_little_scratch_changes_nothing),
-    };
-    return cmocka_run_group_tests_name("14 impulses", tests, NULL, NULL);
 }

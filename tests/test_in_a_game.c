@@ -5,17 +5,14 @@
 static wfWorld empty(void)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.bodyCapacity = 32;
-    assert_ok(wfCreateWorld(&def, &w));
-    return w;
+    return world_with(&def);
 }
 
 /* ------------------------------------------------------------------------------ frames */
 
-static void a_world_keeps_the_time_of_the_frames(void **unused)
+TEST(a_world_keeps_the_time_of_the_frames)
 {
-    (void)unused;
     uint64_t seed = 1;
     const double frame[] = { 1.0 / 60, 1.0 / 144, 1.0 / 24, 0 };
     for (int k = 0; k < 4; k++) {
@@ -71,9 +68,8 @@ static void see_joint(void *context, wfVec2 a, wfVec2 b)
     ((Seen *)context)->joints++;
 }
 
-static void what_is_drawn_is_what_is_there(void **unused)
+TEST(what_is_drawn_is_what_is_there)
 {
-    (void)unused;
     wfWorld w = empty();
     wfBodyDef d[5];
     wfVec2 rock[5] = { wfV2(0, 0), wfV2(1, 0), wfV2(WF_R(1.5), 1), wfV2(WF_R(0.5), 2), wfV2(WF_R(-0.5), 1) };
@@ -155,9 +151,8 @@ static void walk(wfWorld *w, wfMover *m, wfReal speed, int frames)
     }
 }
 
-static void it_stands_walks_and_is_stopped(void **unused)
+TEST(it_stands_walks_and_is_stopped)
 {
-    (void)unused;
     wfWorld w = level();
     wfMover m = wfDefaultMover();
     solid(&w, WF_STATIC, 6, 5, 1, 5, 0, 1);
@@ -181,9 +176,8 @@ static void it_stands_walks_and_is_stopped(void **unused)
     wfDestroyWorld(&w);
 }
 
-static void it_climbs_ledges_and_slopes_up_to_its_limits(void **unused)
+TEST(it_climbs_ledges_and_slopes_up_to_its_limits)
 {
-    (void)unused;
     for (int k = 0; k < 4; k++) {
         const wfReal ledge[] = { WF_R(0.1), WF_R(0.25), WF_R(0.4), WF_R(1.0) };
         wfWorld w = level();
@@ -221,9 +215,8 @@ static void it_climbs_ledges_and_slopes_up_to_its_limits(void **unused)
     }
 }
 
-static void it_rides_on_platforms(void **unused)
+TEST(it_rides_on_platforms)
 {
-    (void)unused;
     const wfVec2 way[] = { wfV2(2, 0), wfV2(0, 1), wfV2(0, -1), wfV2(-1, 1) };
     for (int k = 0; k < 4; k++) {
         wfWorld w = empty();
@@ -240,9 +233,8 @@ static void it_rides_on_platforms(void **unused)
     }
 }
 
-static void a_one_way_platform_stops_it_only_from_above(void **unused)
+TEST(a_one_way_platform_stops_it_only_from_above)
 {
-    (void)unused;
     wfWorld w = level();
     wfMover m = wfDefaultMover();
     m.oneWay = 2;
@@ -257,9 +249,8 @@ static void a_one_way_platform_stops_it_only_from_above(void **unused)
     wfDestroyWorld(&w);
 }
 
-static void it_pushes_what_is_beside_it(void **unused)
+TEST(it_pushes_what_is_beside_it)
 {
-    (void)unused;
     for (int heavy = 0; heavy < 3; heavy++) {
         wfWorld w = empty();
         wfBodyDef b = wfDefaultBodyDef();
@@ -297,9 +288,8 @@ static void it_pushes_what_is_beside_it(void **unused)
     }
 }
 
-static void bad_movers_are_refused(void **unused)
+TEST(bad_movers_are_refused)
 {
-    (void)unused;
     wfWorld w = level();
     wfMover m = wfDefaultMover();
     assert_result(WF_ERROR_NULL, wfMoveMover(&w, NULL, dt));
@@ -308,19 +298,4 @@ static void bad_movers_are_refused(void **unused)
     m.velocity.x = (wfReal)NAN;
     assert_result(WF_ERROR_NOT_FINITE, wfMoveMover(&w, &m, dt));
     wfDestroyWorld(&w);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_world_keeps_the_time_of_the_frames),
-        cmocka_unit_test(what_is_drawn_is_what_is_there),
-        cmocka_unit_test(it_stands_walks_and_is_stopped),
-        cmocka_unit_test(it_climbs_ledges_and_slopes_up_to_its_limits),
-        cmocka_unit_test(it_rides_on_platforms),
-        cmocka_unit_test(a_one_way_platform_stops_it_only_from_above),
-        cmocka_unit_test(it_pushes_what_is_beside_it),
-        cmocka_unit_test(bad_movers_are_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

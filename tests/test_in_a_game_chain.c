@@ -46,9 +46,8 @@ static wfBodyDef slider(int kind, wfReal friction)
     return def;
 }
 
-static void nobody_hops_over_a_thousand_tiles(void **unused)
+TEST(nobody_hops_over_a_thousand_tiles)
 {
-    (void)unused;
     static const char *const solvers[] = { "sequential", "soft" };
     for (int s = 0; s < 2; s++)
         for (int kind = 0; kind < 4; kind++) {             /* box, ball, capsule; and a ball that rolls */
@@ -85,15 +84,13 @@ static void nobody_hops_over_a_thousand_tiles(void **unused)
 }
 
 /* A chain in one call is the same, to the last bit, as its links one by one; a refused one has changed nothing. */
-static void a_chain_in_one_call(void **unused)
+TEST(a_chain_in_one_call)
 {
-    (void)unused;
     const wfVec2 point[5] = { WF_V2(4, 0), WF_V2(2, 1), WF_V2(0, 0), WF_V2(-2, 1), WF_V2(-4, 0) };
     for (int loop = 0; loop < 2; loop++) {
         uint64_t hash[2];
         for (int way = 0; way < 2; way++) {
             wfWorldDef def = wfDefaultWorldDef();
-            wfWorld w;
             wfBodyDef b = wfDefaultBodyDef();
             wfBodyId ground, ball;
             wfShape link[5];
@@ -102,7 +99,7 @@ static void a_chain_in_one_call(void **unused)
             int count;
             def.shapeCapacity = 6;
             like.friction = WF_R(0.25), like.userData = 7;
-            assert_ok(wfCreateWorld(&def, &w));
+            wfWorld w = world_with(&def);
             b.type = WF_STATIC, b.position = wfV2(1, 2), b.angle = WF_R(0.1);
             assert_ok(wfAddBodyToWorld(&w, &b, &ground));
             b.type = WF_DYNAMIC, b.position = wfV2(1, 5);
@@ -129,13 +126,4 @@ static void a_chain_in_one_call(void **unused)
         }
         assert_true(hash[0] == hash[1]);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_chain_in_one_call),
-        cmocka_unit_test(nobody_hops_over_a_thousand_tiles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,18 +14,16 @@ static size_t bytes_for(int32_t bodies, int growth)
 }
 
 /* Bounds for floats; no number of a double build takes more than twice as much. */
-static void a_default_world_is_bounded(void **unused)
+TEST(a_default_world_is_bounded)
 {
-    (void)unused;
     size_t real = sizeof(wfReal) / sizeof(float), small = bytes_for(256, 0);
     assert_true(small <= real * 2000000);
     for (int32_t n = 512; n <= 65536; n *= 4) assert_true(bytes_for(n, 0) - small <= (size_t)(n - 256) * real * 6400);
 }
 
 /* The sentences that tell the sizes tell those of wfWorldSize. */
-static void what_is_told_is_true(void **unused)
+TEST(what_is_told_is_true)
 {
-    (void)unused;
     static const struct { const char *file; int growth; } told[] = {
         { "README.md", 0 }, { "chapters/engine/B-api.nw", 0 }, { "chapters/engine/20-world.nw", 0 }, { "chapters/methods/32-save-files.nw", 1 } };
     static char text[1 << 20];
@@ -119,17 +117,15 @@ static const Crowd crowd[] = {
     { "a few discs", 40, 1, put_discs, true }, { "a few boxes", 40, 1, put_boxes, true },
 };
 
-static void a_crowd_has_room(void **unused)
+TEST(a_crowd_has_room)
 {
-    (void)unused;
     for (size_t i = 0; i < sizeof crowd / sizeof *crowd; i++) {
         const Crowd *c = &crowd[i];
         wfWorldDef def = wfDefaultWorldDef(), is;
-        wfWorld w;
         int32_t contacts, pairs, most[2] = { 0, 0 };
         def.bodyCapacity = c->bodies + 3;
         def.shapeCapacity = c->bodies * c->shapes + 3;
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         assert_ok(wfGetWorldDef(&w, &is));
         add(&w, box_at(0, -1, 200, 1, WF_STATIC));
         if (c->walls) add(&w, box_at(-1, 50, 1, 60, WF_STATIC)), add(&w, box_at(c->put == put_bricks ? 67 : 34, 50, 1, 60, WF_STATIC));
@@ -149,15 +145,13 @@ static void a_crowd_has_room(void **unused)
 }
 
 /* What is fuller than usual is told which capacity to raise, and has lost nothing; or the world grows. */
-static void more_than_that_is_told_and_mended(void **unused)
+TEST(more_than_that_is_told_and_mended)
 {
-    (void)unused;
     for (int growth = 0; growth < 2; growth++) {
         wfWorldDef def = wfDefaultWorldDef(), now;
-        wfWorld w;
         def.bodyCapacity = 200;
         def.advanced.growth = growth;
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         for (int i = 0; i < 50; i++) add(&w, ball_def(0.001 * i, 0, 0.5));     /* all in one place: 1225 contacts */
         if (!growth) {
             void *before = copy_of(&w);
@@ -174,15 +168,13 @@ static void more_than_that_is_told_and_mended(void **unused)
 }
 
 /* Touches have the room of contacts, and sensors' are touches: what is too much is told as such. */
-static void touches_of_sensors_are_counted(void **unused)
+TEST(touches_of_sensors_are_counted)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     int32_t n = 0;
     def.bodyCapacity = 40;
     def.advanced.pairCapacity = 400, def.advanced.contactCapacity = 20;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     for (int i = 0; i < 30; i++) add(&w, ball_def(2 * i, 0, 0.5));
     wfBodyDef light = wfDefaultBodyDef();
     wfShapeDef s = wfDefaultShapeDef();
@@ -202,13 +194,4 @@ static void touches_of_sensors_are_counted(void **unused)
     wfWorldEvents(&w, WF_SENSOR_BEGIN, &n);
     assert_int_equal(n, 30);
     wfDestroyWorld(&w);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_default_world_is_bounded), cmocka_unit_test(what_is_told_is_true), cmocka_unit_test(a_crowd_has_room),
-        cmocka_unit_test(more_than_that_is_told_and_mended), cmocka_unit_test(touches_of_sensors_are_counted),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

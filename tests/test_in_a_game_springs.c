@@ -26,18 +26,16 @@ static void tie(wfWorld *w, wfBodyId a, wfBodyId b, wfReal mass, wfReal hertz, w
 
 /* A mesh of n by n particles at rest hangs on two corners. Its springs hold nothing at first, so kinetic and potential energy together never exceed their
  * start: up to 1 % of what it takes to lift the mesh by its height. It was 700 J for 5, or beyond all numbers. */
-static void cloth_gains_no_energy(void **unused)
+TEST(cloth_gains_no_energy)
 {
-    (void)unused;
     for (uint64_t seed = 1; seed <= 24; seed++) {
         wfRandom r = random_stream(seed);
         int n = 2 + (int)between(&r, 0, MOST - 1.01), ways = 2 + (int)between(&r, 0, 1.99);
         wfReal size = between(&r, 0.1, 0.5), hertz = 5 * wfExp(between(&r, 0, 3.7)), ratio = seed % 3 == 0 ? 0 : between(&r, 0, 0.5);
         wfWorldDef def = wfDefaultWorldDef();
         def.jointCapacity = 3 * MOST * MOST, def.timeStep = 1 / between(&r, 30, 240), def.substeps = 1 + (int32_t)between(&r, 0, 3.99);
-        wfWorld w;
         wfBodyId at[MOST][MOST];
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         for (int y = 0; y < n; y++)
             for (int x = 0; x < n; x++) {
                 wfBodyDef body = wfDefaultBodyDef();
@@ -59,14 +57,12 @@ static void cloth_gains_no_energy(void **unused)
 }
 
 /* Ten springs in a row stretch by the weight below each; what begins with nothing makes them softer by at most 2 %. */
-static void a_chain_of_springs_is_as_stiff_as_it_should_be(void **unused)
+TEST(a_chain_of_springs_is_as_stiff_as_it_should_be)
 {
-    (void)unused;
     const double hertz[] = { 10, 30, 60 };
     for (int k = 0; k < 3; k++) {
         wfWorldDef def = wfDefaultWorldDef();
-        wfWorld w;
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         wfBodyDef body = wfDefaultBodyDef();
         body.type = WF_STATIC;
         wfBodyId last = add(&w, body);
@@ -85,19 +81,17 @@ static void a_chain_of_springs_is_as_stiff_as_it_should_be(void **unused)
 }
 
 /* Bars on pins and ropes, joints one by one, up to half a radian in a substep. */
-static void stops_give_nothing_back_one_by_one(void **unused)
+TEST(stops_give_nothing_back_one_by_one)
 {
-    (void)unused;
     wfRandom r = random_stream(5);
     for (int n = 0; n < 200; n++) {
         bool turns = n % 2 == 0;
         wfReal arm = between(&r, 0.2, 2.2), limit = between(&r, 0.3, 2.3), spin = between(&r, 0.5, 30);
         wfWorldDef def = wfDefaultWorldDef();
-        wfWorld w;
         wfJoint j;
         def.gravity = wfV2(0, 0), def.advanced.directJoints = WF_JOINTS_ITERATIVE, def.substeps = 1 + (int32_t)between(&r, 0, 7.99);
         spin = wfMinR(spin, WF_R(30.0) * (wfReal)def.substeps);
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         wfBodyDef post = wfDefaultBodyDef(), bar = post;
         post.type = n % 4 < 2 ? WF_STATIC : WF_DYNAMIC;
         assert_ok(wfMakeBox(WF_R(0.3), WF_R(0.3), &post.shape));
@@ -121,17 +115,15 @@ static void stops_give_nothing_back_one_by_one(void **unused)
 }
 
 /* A spring of any kind of joint swings as it was told to, whatever its two bodies weigh: by the times at which it passes its rest. A hinge needs no axis. */
-static void a_spring_has_its_frequency(void **unused)
+TEST(a_spring_has_its_frequency)
 {
-    (void)unused;
     const char *kind[] = { "revolute", "weld", "distance", "prismatic", "wheel" };
     for (int k = 0; k < 5; k++) for (int pair = 0; pair < 2; pair++) {
         bool turns = k < 2;
         wfWorldDef def = wfDefaultWorldDef();
         def.gravity = wfV2(0, 0), def.timeStep = WF_R(1.0) / 240;
-        wfWorld w;
         wfBodyId id[2];
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         for (int i = 0; i < 2; i++) {
             wfBodyDef b = wfDefaultBodyDef();
             b.type = i == 0 && pair == 0 ? WF_STATIC : WF_DYNAMIC;
@@ -169,15 +161,4 @@ static void a_spring_has_its_frequency(void **unused)
         assert_result(WF_ERROR_RANGE, wfDefineJoint(&w, "wheel", id[0], id[1], from, to, wfV2(0, 0), &j));
         wfDestroyWorld(&w);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cloth_gains_no_energy),
-        cmocka_unit_test(a_chain_of_springs_is_as_stiff_as_it_should_be),
-        cmocka_unit_test(a_spring_has_its_frequency),
-        cmocka_unit_test(stops_give_nothing_back_one_by_one),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

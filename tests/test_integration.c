@@ -157,9 +157,8 @@ static Rig unit_spring(void) { return spring_rig(1); }
    slope is right within 0.15. On the orbit and in the fall the next term may be the greater one at these steps (rk4's loss of
    energy is of order 5), so that the error shrinks faster than the order promises: up to 0.6. It must not shrink more slowly by
    more than 0.3. A wrong coefficient makes the order 1 or 0: that is off by 1 or more. */
-static void test_every_row_has_its_order(void **s)
+TEST(test_every_row_has_its_order)
 {
-    (void)s;
     double low = EPS > 1e-10 ? 3e-5 : 1e-7;
     for (int row = 0; row < wfIntegratorCount; row++) {
         double order = wfIntegratorTable[row].order;
@@ -175,9 +174,8 @@ static void test_every_row_has_its_order(void **s)
 /* Forces that depend on time: those with order >= 2 must look at the right moments. The trapezoid of a sin^2 is exact over
    whole periods, so we stop at a third of it. A force sampled at a wrong time makes the error first order: at 24 steps over
    a third of the pulse it is about h/2 * f = 0.02; a second-order method is 10 times better. */
-static void test_every_row_samples_time(void **s)
+TEST(test_every_row_samples_time)
 {
-    (void)s;
     for (int row = 0; row < wfIntegratorCount; row++) {
         Rig rig = pulse_rig();
         run(&rig, row, 1.0 / 24, 24);
@@ -196,9 +194,8 @@ static double doubling(int row, Rig (*make)(void), double h)
     return sqrt(d * d + e * e);
 }
 
-static void test_step_doubling(void **s)
+TEST(test_step_doubling)
 {
-    (void)s;
     for (int row = 0; row < wfIntegratorCount; row++) {
         double h = wfIntegratorTable[row].order >= 4 ? 0.8 : 0.2;
         double slope = log2(doubling(row, unit_spring, h) / doubling(row, unit_spring, h / 2));
@@ -210,9 +207,8 @@ static void test_step_doubling(void **s)
 
 /* The default's step is p + h (v + (h/2) a): the parabola itself. Steps and numbers are powers of two small enough that
    nothing rounds: the answer is exact to the last bit, with few or with many steps. */
-static void test_free_flight_is_exact(void **s)
+TEST(test_free_flight_is_exact)
 {
-    (void)s;
     const char *exact[] = { "verlet", "rk4", "implicit-midpoint" };
     for (int k = 0; k < 3; k++)
         for (int steps = 1; steps <= 64; steps *= 4) {
@@ -231,9 +227,8 @@ static void test_free_flight_is_exact(void **s)
 
 /* With numbers that do round: a step makes at most 4 roundings of the numbers it handles, each up to EPS/2 of the largest,
    40 m; velocities are as good, and their error e_v adds n h e_v. The mass is not 1: g comes back within EPS. */
-static void test_free_flight_at_any_step(void **s)
+TEST(test_free_flight_at_any_step)
 {
-    (void)s;
     int row = wfFindIntegrator("verlet");
     for (int steps = 1; steps <= 1000; steps *= 10) {
         Rig rig = new_rig(1);
@@ -249,9 +244,8 @@ static void test_free_flight_at_any_step(void **s)
 }
 
 /* The two Eulers miss the parabola by exactly h t g / 2, one upwards, one downwards. */
-static void test_euler_misses_the_parabola(void **s)
+TEST(test_euler_misses_the_parabola)
 {
-    (void)s;
     for (int k = 0; k < 2; k++) {
         Rig rig = new_rig(1);
         rig.forces[rig.forceCount++] = wfGravity(wfV2(0, -8));
@@ -281,9 +275,8 @@ static Map map_of(int row, double h)
 
 /* The entries are sums of at most 5 terms up to 1; implicit-midpoint stops when its last round changed less than
    4 EPS of the velocity. */
-static void test_step_maps(void **s)
+TEST(test_step_maps)
 {
-    (void)s;
     for (int k = 1; k <= 12; k++) {
         double h = k / 8.0, h2 = h * h, q = 1 + h2 / 4;
         Map want[5] = { { 1, h, -h, 1 }, { 1 - h2, h, -h, 1 }, { 1 - h2 / 2, h, -h + h2 * h / 4, 1 - h2 / 2 },
@@ -302,9 +295,8 @@ static void test_step_maps(void **s)
 
 /* A map in one dimension is symplectic when its determinant is 1. The others differ by h^2 (explicit Euler) or h^6/72 (rk4),
    far above rounding at h = 1.25. */
-static void test_symplectic_rows_keep_area(void **s)
+TEST(test_symplectic_rows_keep_area)
 {
-    (void)s;
     for (int row = 0; row < wfIntegratorCount; row++) {
         Map m = map_of(row, 1.25);
         double det = m.xx * m.vv - m.xv * m.vx;
@@ -326,9 +318,8 @@ static double growth(const char *name, double omegaH, int steps)
     return most;
 }
 
-static void test_stability_limits(void **s)
+TEST(test_stability_limits)
 {
-    (void)s;
     assert_true(growth("explicit-euler", 0.125, 1000) > 1e3);
     assert_true(growth("symplectic-euler", 1.99, 2000) < 20);
     assert_true(growth("symplectic-euler", 2.01, 200) > 1e3);
@@ -364,9 +355,8 @@ static double energy_error(Rig *rig, int row, double h, int steps, double start)
 
 /* A symplectic method keeps an energy near the true one: the error of the last of 100 turns is no worse than that of the first
    four (the orbit turns slowly, so the phase of its swings differs), but for rounding: 5 EPS per step as a random walk. */
-static void test_symplectic_rows_keep_energy(void **s)
+TEST(test_symplectic_rows_keep_energy)
 {
-    (void)s;
     for (int row = 0; row < wfIntegratorCount; row++) {
         if (!wfIntegratorTable[row].symplectic) continue;
         Rig rig = orbit_rig();
@@ -381,9 +371,8 @@ static void test_symplectic_rows_keep_energy(void **s)
 
 /* For the spring the energies are known: explicit Euler multiplies it by 1 + h^2 in each step, rk4 by 1 - h^6/72 + h^8/576,
    implicit midpoint keeps it, symplectic Euler keeps E - h x v / 2 and verlet v^2 + x^2 (1 - h^2/4). */
-static void test_energy_of_the_spring(void **s)
+TEST(test_energy_of_the_spring)
 {
-    (void)s;
     double h = 0.25, h2 = h * h;
     int n = 40;
     Rig rig = spring_rig(1);
@@ -416,9 +405,8 @@ static void huge_forces(void *context, const wfBodyState *state, int count, wfRe
     out[count - 1] = (wfBodyForces){ .force = wfV2(2, -3), .torque = 5 };
 }
 
-static void test_static_and_kinematic_bodies(void **s)
+TEST(test_static_and_kinematic_bodies)
 {
-    (void)s;
     for (int row = 0; row < wfIntegratorCount; row++) {
         Rig rig = new_rig(3);
         assert_ok(wfSetBodyType(&rig.state[0], &rig.props[0], WF_STATIC));
@@ -461,9 +449,8 @@ static void twisting(void *context, const wfBodyState *state, int count, wfReal 
     }
 }
 
-static void test_turning_goes_like_moving(void **s)
+TEST(test_turning_goes_like_moving)
 {
-    (void)s;
     for (int row = 0; row < wfIntegratorCount; row++) {
         Rig rig = new_rig(2);
         for (int i = 0; i < 2; i++) {
@@ -487,9 +474,8 @@ static void test_turning_goes_like_moving(void **s)
 }
 
 /* Verlet and the implicit midpoint run backwards: n steps of h and n of -h lead back, but for 10 roundings a step. */
-static void test_reversible(void **s)
+TEST(test_reversible)
 {
-    (void)s;
     const char *name[] = { "verlet", "implicit-midpoint" };
     for (int k = 0; k < 2; k++) {
         Rig rig = orbit_rig();
@@ -502,9 +488,8 @@ static void test_reversible(void **s)
     }
 }
 
-static void test_evaluations(void **s)
+TEST(test_evaluations)
 {
-    (void)s;
     for (int row = 0; row < wfIntegratorCount; row++) {
         Rig rig = orbit_rig();
         run(&rig, row, 0.05, 1);
@@ -515,9 +500,8 @@ static void test_evaluations(void **s)
 
 /* Scratch: what a row says suffices, suffices, at any alignment of the pool's mark; one body's worth less is refused, and the
    states are untouched. */
-static void test_scratch(void **s)
+TEST(test_scratch)
 {
-    (void)s;
     for (int row = 0; row < wfIntegratorCount; row++)
         for (int count = 0; count <= 4; count++) {
             Rig rig = new_rig(count);
@@ -540,9 +524,8 @@ static void test_scratch(void **s)
 
 /* The five rows ask for no more than they use, but for 48 bytes: a pool that begins aligned needs no padding, and with one
    byte less there is an error. So the numbers of arrays in the scratch functions are the ones that are used. */
-static void test_scratch_is_tight(void **s)
+TEST(test_scratch_is_tight)
 {
-    (void)s;
     const char *name[] = { "explicit-euler", "symplectic-euler", "verlet", "rk4", "implicit-midpoint" };
     for (int k = 0; k < 5; k++)
         for (int spare = 0; spare >= -1; spare--) {
@@ -558,9 +541,8 @@ static void test_scratch_is_tight(void **s)
 
 /* The implicit method's rounds on x'' = -w^2 x: each leaves the share q = (w h)^2/4 of the change, the first changes a by q; it
    ends below 4 EPS. So it takes about log(4 EPS)/log(q) rounds, give or take what the scale (up to 3 times) and rounding do. */
-static void test_rounds(void **s)
+TEST(test_rounds)
 {
-    (void)s;
     for (double h = 0.25; h < 1.9; h += 0.25) {
         Rig rig = spring_rig(1);
         double rounds = log(4 * EPS) / log(h * h / 4);
@@ -572,9 +554,8 @@ static void test_rounds(void **s)
 
 /* Springs hung with great care: nothing moves but for rounding, far from the origin; no error may come of it. And one that is
    stiff and slow at once: rounding is large against the motion. */
-static void test_midpoint_at_rest(void **s)
+TEST(test_midpoint_at_rest)
 {
-    (void)s;
     wfRandom r = random_stream(11);
     for (int k = 0; k < 200; k++) {
         Rig rig = new_rig(1);
@@ -590,9 +571,8 @@ static void test_midpoint_at_rest(void **s)
     }
 }
 
-static void test_bad_input(void **s)
+TEST(test_bad_input)
 {
-    (void)s;
     Rig rig = orbit_rig(), before = rig;
     wfPool pool;
     assert_ok(wfPoolInit(&pool, sizeof rig.bytes, rig.bytes));
@@ -617,9 +597,8 @@ static void test_bad_input(void **s)
    one way or the other. And the price does not depend on h: the iteration is left after 3 evaluations; each of Newton's rounds
    asks at most 3 times (two directions, and rounding) and looks once; slopes to 3 digits win 7 digits in 3 rounds, and a last
    one sees that nothing changes. */
-static void test_stiff_springs(void **s)
+TEST(test_stiff_springs)
 {
-    (void)s;
     int row = wfFindIntegrator("implicit-midpoint");
     const double steps[] = { 2, 3, 10, 100, 1000 };
     for (int k = 0; k < 5; k++) {
@@ -671,9 +650,8 @@ static double chain_energy(const wfBodyState *state, int count, double k)
     return sum;
 }
 
-static void test_stiff_chain(void **s)
+TEST(test_stiff_chain)
 {
-    (void)s;
     static _Alignas(16) unsigned char bytes[16384];
     for (double h = 2; h <= 200; h *= 10) {                 /* h omega up to 2 h */
         ChainCall call = { 1, 0 };
@@ -703,9 +681,8 @@ static void test_stiff_chain(void **s)
 
 /* Stiff damping, v' = -c v: one step multiplies v by (1 - ch/2)/(1 + ch/2), which is never above 1 in size. And a pendulum on a
    stiff spring (h omega = 5), where forces are not linear: it swings for 20 s, the spring's length stays within 1 %, and no step fails. */
-static void test_stiff_and_not_linear(void **s)
+TEST(test_stiff_and_not_linear)
 {
-    (void)s;
     int row = wfFindIntegrator("implicit-midpoint");
     for (double c = 1; c <= 1000; c *= 10) {
         Rig rig = new_rig(1);
@@ -737,9 +714,8 @@ static void saturated(void *context, const wfBodyState *state, int count, wfReal
     for (int i = 0; i < count; i++) out[i].force.x = -1000 * state[i].p.x / wfSqrt(1 + wfSquare(state[i].p.x));
 }
 
-static void test_newton_goes_half_way(void **s)
+TEST(test_newton_goes_half_way)
 {
-    (void)s;
     Rig rig = new_rig(1);
     rig.state[0].p.x = 10;
     wfPool pool;
@@ -763,9 +739,8 @@ static void jumping(void *context, const wfBodyState *state, int count, wfReal t
     for (int i = 0; i < count; i++) out[i].force.x = state[i].p.x > 0 ? -1 : 1;
 }
 
-static void test_no_convergence_is_an_error(void **s)
+TEST(test_no_convergence_is_an_error)
 {
-    (void)s;
     int row = wfFindIntegrator("implicit-midpoint");
     Rig rig = new_rig(1);
     rig.state[0].p.x = WF_R(0.1);
@@ -786,9 +761,8 @@ static void test_no_convergence_is_an_error(void **s)
 }
 
 /* Rounding must not make it fail: springs of all lengths, far from the origin, at steps where it converges in theory. */
-static void test_midpoint_converges_when_it_should(void **s)
+TEST(test_midpoint_converges_when_it_should)
 {
-    (void)s;
     int row = wfFindIntegrator("implicit-midpoint");
     wfRandom r = random_stream(10);
     for (int k = 0; k < 300; k++) {
@@ -804,9 +778,8 @@ static void test_midpoint_converges_when_it_should(void **s)
     }
 }
 
-static void test_table(void **s)
+TEST(test_table)
 {
-    (void)s;
     assert_int_equal(wfFindIntegrator("no such"), -1);
     assert_int_equal(wfFindIntegrator(NULL), -1);
     for (int row = 0; row < wfIntegratorCount; row++) {
@@ -816,20 +789,4 @@ static void test_table(void **s)
         assert_int_equal(wfFindIntegrator(r->name), row);
     }
     assert_true(wfFindIntegrator("verlet") >= 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_table), cmocka_unit_test(test_every_row_has_its_order), cmocka_unit_test(test_every_row_samples_time),
-        cmocka_unit_test(test_step_doubling), cmocka_unit_test(test_free_flight_is_exact), cmocka_unit_test(test_free_flight_at_any_step),
-        cmocka_unit_test(test_euler_misses_the_parabola), cmocka_unit_test(test_step_maps), cmocka_unit_test(test_symplectic_rows_keep_area),
-        cmocka_unit_test(test_stability_limits), cmocka_unit_test(test_symplectic_rows_keep_energy), cmocka_unit_test(test_energy_of_the_spring),
-        cmocka_unit_test(test_static_and_kinematic_bodies), cmocka_unit_test(test_turning_goes_like_moving), cmocka_unit_test(test_reversible),
-        cmocka_unit_test(test_evaluations), cmocka_unit_test(test_scratch), cmocka_unit_test(test_scratch_is_tight),
-        cmocka_unit_test(test_rounds), cmocka_unit_test(test_midpoint_at_rest), cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_no_convergence_is_an_error), cmocka_unit_test(test_midpoint_converges_when_it_should),
-        cmocka_unit_test(test_stiff_springs), cmocka_unit_test(test_stiff_chain), cmocka_unit_test(test_stiff_and_not_linear), cmocka_unit_test(test_newton_goes_half_way),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,18 +9,16 @@ static void press(float x, float y) { input.mouse_x = x, input.mouse_y = y; inpu
 static void hold(float x, float y) { input.mouse_x = x, input.mouse_y = y; input.pressed = 0; input.held = GAME_BUTTON_LEFT; }
 static void let_go(void) { input.pressed = input.held = 0; }
 static ui look(void) { return ui_look(&memory, &input, 400, 300, 1); }
-static int fresh(void **state)
+static void fresh(void)
 {
-    (void)state;
     memory = (ui_memory){ 0 };
     input = (game_input){ 0 };
-    return 0;
 }
 
 /* ---- areas ---- */
-static void a_click_hits_what_is_under_it(void **state)
+TEST(a_click_hits_what_is_under_it)
 {
-    (void)state;
+    fresh();
     for (int x = 0; x < 120; x++) {
         press((float)x, 20);
         ui u = look();
@@ -35,9 +33,9 @@ static void a_click_hits_what_is_under_it(void **state)
     assert_false(ui_button(&u, "a", 0, 0, 400, false));
 }
 
-static void the_walk_with_a_pen_has_no_click(void **state)
+TEST(the_walk_with_a_pen_has_no_click)
 {
-    (void)state;
+    fresh();
     static _Alignas(8) uint8_t bytes[1 << 16];
     wfDraw d;
     wfDrawInit(&d, bytes, sizeof bytes);
@@ -70,9 +68,9 @@ static int pressed_by_keys(int32_t key, int widgets)
     return which;
 }
 
-static void the_keys_reach_every_widget_and_come_round(void **state)
+TEST(the_keys_reach_every_widget_and_come_round)
 {
-    (void)state;
+    fresh();
     assert_int_equal(pressed_by_keys(GAME_KEY_ENTER, 5), 0);
     for (int i = 1; i <= 11; i++) {
         pressed_by_keys(GAME_KEY_PAGE_DOWN, 5);
@@ -85,9 +83,9 @@ static void the_keys_reach_every_widget_and_come_round(void **state)
 }
 
 /* ---- numbers ---- */
-static void a_pull_obeys_the_three_laws(void **state)
+TEST(a_pull_obeys_the_three_laws)
 {
-    (void)state;
+    fresh();
     ui_range slider = { 0, 2, 0.5, false }, open = { 0, 1e30, 1, false }, any = { -1e30, 1e30, 3, false }, whole = { 1, 64, 4, true };
     assert_near(ui_pulled(0.5, 40, slider), 1, 1e-15);             /* a quarter of 160 units is a quarter of the range */
     assert_near(ui_pulled(0.5, 1e4, slider), 2, 0);
@@ -103,9 +101,9 @@ static void a_pull_obeys_the_three_laws(void **state)
     }
 }
 
-static void pulled_there_and_back_is_the_same_to_the_bit(void **state)
+TEST(pulled_there_and_back_is_the_same_to_the_bit)
 {
-    (void)state;
+    fresh();
     ui_range open = { 0, 1e30, 1, false };
     double value = 1.0 / 60, first = value;
     for (int i = 0; i <= 60; i++) {
@@ -123,9 +121,9 @@ static void pulled_there_and_back_is_the_same_to_the_bit(void **state)
     assert_false(ui_number(&u, "dt", 10, 10, 380, &value, open, false));
 }
 
-static void a_whole_number_without_an_end_goes_by_one_with_the_keys(void **state)
+TEST(a_whole_number_without_an_end_goes_by_one_with_the_keys)
 {
-    (void)state;
+    fresh();
     ui_range open = { 1, 1e18, 1, true };
     double value = 2;
     const double want[5] = { 3, 4, 3, 2, 1 };
@@ -152,9 +150,9 @@ static void a_whole_number_without_an_end_goes_by_one_with_the_keys(void **state
 static int32_t three(const void *of) { (void)of; return 3; }
 static const char *which(const void *of, int row) { return row < 3 ? ((const char *const *)of)[row] : NULL; }
 
-static void an_open_list_lies_on_top(void **state)
+TEST(an_open_list_lies_on_top)
 {
-    (void)state;
+    fresh();
     static const char *const names[3] = { "euler", "verlet", "rk4" };
     ui_names list = { three, which, names };
     int now = 0, under = 0;
@@ -191,9 +189,9 @@ static bool fits(const char *q, const char *n)       /* all ways of placing the 
     return false;
 }
 
-static void the_search_finds_what_a_slow_one_finds(void **state)
+TEST(the_search_finds_what_a_slow_one_finds)
 {
-    (void)state;
+    fresh();
     uint32_t seed = 1;
     for (int i = 0; i < 20000; i++) {
         char name[12] = { 0 }, query[5] = { 0 };
@@ -208,9 +206,9 @@ static void the_search_finds_what_a_slow_one_finds(void **state)
     assert_true(ui_fit("ca", "arch") < 0);
 }
 
-static void the_line_takes_letters_only_when_asked(void **state)
+TEST(the_line_takes_letters_only_when_asked)
 {
-    (void)state;
+    fresh();
     assert_false(ui_takes(&memory, 'p'));
     assert_true(ui_takes(&memory, '/'));
     for (const char *c = "card"; *c; c++) assert_true(ui_takes(&memory, *c));
@@ -223,20 +221,4 @@ static void the_line_takes_letters_only_when_asked(void **state)
     assert_true(ui_takes(&memory, GAME_KEY_ESCAPE));
     assert_string_equal(memory.query, "");
     assert_false(ui_takes(&memory, 'p'));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup(a_click_hits_what_is_under_it, fresh),
-        cmocka_unit_test_setup(the_walk_with_a_pen_has_no_click, fresh),
-        cmocka_unit_test_setup(the_keys_reach_every_widget_and_come_round, fresh),
-        cmocka_unit_test_setup(a_pull_obeys_the_three_laws, fresh),
-        cmocka_unit_test_setup(pulled_there_and_back_is_the_same_to_the_bit, fresh),
-        cmocka_unit_test_setup(a_whole_number_without_an_end_goes_by_one_with_the_keys, fresh),
-        cmocka_unit_test_setup(an_open_list_lies_on_top, fresh),
-        cmocka_unit_test_setup(the_search_finds_what_a_slow_one_finds, fresh),
-        cmocka_unit_test_setup(the_line_takes_letters_only_when_asked, fresh),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -85,9 +85,8 @@ static void random_graph(Graph *g, uint32_t *seed, int32_t n, int32_t edges)
     }
 }
 
-static void test_random_graphs(void **state)
+TEST(test_random_graphs)
 {
-    (void)state;
     static Graph g;
     static int32_t parent[MOST];
     uint32_t seed = 1;
@@ -104,9 +103,8 @@ static void test_random_graphs(void **state)
     free(room.bytes);
 }
 
-static void test_the_order_of_the_edges_does_not_matter(void **state)
+TEST(test_the_order_of_the_edges_does_not_matter)
 {
-    (void)state;
     static Graph g;
     static int32_t parent[MOST], again[MOST];
     uint32_t seed = 5;
@@ -130,9 +128,8 @@ static void test_the_order_of_the_edges_does_not_matter(void **state)
     free(two.bytes);
 }
 
-static void test_chains_and_tournaments(void **state)
+TEST(test_chains_and_tournaments)
 {
-    (void)state;
     int32_t parent[MOST];
     for (int way = 0; way < 3; way++) {
         wfMakeSets(parent, MOST);
@@ -150,9 +147,8 @@ static void test_chains_and_tournaments(void **state)
     }
 }
 
-static void test_searches_shorten_the_way(void **state)
+TEST(test_searches_shorten_the_way)
 {
-    (void)state;
     int32_t parent[1024], length = 0;
     for (int32_t i = 0; i < 1024; i++) parent[i] = i > 0 ? i - 1 : 0;
     assert_int_equal(wfFindSet(parent, 1023), 0);
@@ -160,9 +156,8 @@ static void test_searches_shorten_the_way(void **state)
     assert_true(length <= 512);                                    /* halved */
 }
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     int32_t parent[4];
     uint8_t moves[4] = { 1, 1, 1, 1 };
     wfIslands out = { .count = 77 };
@@ -183,9 +178,8 @@ static void test_bad_input(void **state)
     free(room.bytes);
 }
 
-static void test_the_limit_has_no_unit(void **state)
+TEST(test_the_limit_has_no_unit)
 {
-    (void)state;
     /* All lengths times s: the limit times s. Both limits are products, so the error is a rounding or two. */
     for (double s = 1e-6; s < 2e6; s *= 10) {
         wfReal one = wfStillSpeed(WF_R(0.5), WF_R(9.81), WF_R(0.5), WF_R(0.04));
@@ -196,9 +190,8 @@ static void test_the_limit_has_no_unit(void **state)
     assert_near(wfStillSpeed(WF_R(0.5), WF_R(0.01), WF_R(0.5), WF_R(0.04)), 0.00125, 1e-8);
 }
 
-static void test_centre_and_rim_both_count(void **state)
+TEST(test_centre_and_rim_both_count)
 {
-    (void)state;
     wfBodyState s = { .v = wfV2(WF_R(0.03), WF_R(-0.04)), .w = WF_R(-0.1) };
     assert_true(wfIsStill(&s, WF_R(0.5), WF_R(0.1001)));
     assert_false(wfIsStill(&s, WF_R(0.5), WF_R(0.0999)));
@@ -208,9 +201,8 @@ static void test_centre_and_rim_both_count(void **state)
 }
 
 /* In free flight |v| <= limit lasts 2 limit / g <= wait / 2, so the clock reaches no more than that, and a step at either end. */
-static void test_no_flight_is_a_rest(void **state)
+TEST(test_no_flight_is_a_rest)
 {
-    (void)state;
     const wfReal wait = WF_R(0.5), dt = WF_R(1.0) / 60;
     for (double g = 1e-4; g < 1e3; g *= 3)
         for (int reach = -3; reach < 4; reach++) {
@@ -225,9 +217,8 @@ static void test_no_flight_is_a_rest(void **state)
         }
 }
 
-static void test_clock(void **state)
+TEST(test_clock)
 {
-    (void)state;
     wfReal clock = 0, wait = WF_R(0.5);
     for (int i = 0; i < 31; i++) clock = wfSleepTimer(clock, true, WF_R(1.0) / 60, wait);
     assert_true(clock == wait);
@@ -240,20 +231,4 @@ static void test_clock(void **state)
     assert_false(wfIslandMaySleep(&islands, 1, clocks, wait));
     clocks[2] = 0;
     assert_false(wfIslandMaySleep(&islands, 0, clocks, wait));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_graphs),
-        cmocka_unit_test(test_the_order_of_the_edges_does_not_matter),
-        cmocka_unit_test(test_chains_and_tournaments),
-        cmocka_unit_test(test_searches_shorten_the_way),
-        cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_the_limit_has_no_unit),
-        cmocka_unit_test(test_centre_and_rim_both_count),
-        cmocka_unit_test(test_no_flight_is_a_rest),
-        cmocka_unit_test(test_clock),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,9 +51,8 @@ static double error_at(const wfJoint *j, const wfBodyState *s, int row)
 
 /* Moving the bodies by d (v, w) must change the error by d times the rate, to second order in d and rounding over d.
    Only laws that depend on places have an error to compare; a drive's is not used. */
-static void test_jacobians(void **state)
+TEST(test_jacobians)
 {
-    (void)state;
     double d = sizeof(wfReal) == 4 ? 1e-2 : 1e-5;
     int compared = 0;
     for (int kind = 0; kind < wfJointKinds; kind++)
@@ -92,9 +91,8 @@ static void test_jacobians(void **state)
 }
 
 /* Equal and opposite: for all that joins the two bodies alone. */
-static void test_momentum_is_kept(void **state)
+TEST(test_momentum_is_kept)
 {
-    (void)state;
     for (int kind = 0; kind < wfJointKinds; kind++) {
         /* these hang on the world, or pull along directions that are fixed in it */
         if (kind == wfFindJoint("pulley") || kind == wfFindJoint("hand") || kind == wfFindJoint("gear")
@@ -126,9 +124,8 @@ static void test_momentum_is_kept(void **state)
 }
 
 /* A free joined pair that flies and spins: momentum by the whole step, and the anchors stay together. */
-static void test_pair_in_flight(void **state)
+TEST(test_pair_in_flight)
 {
-    (void)state;
     for (int round = 0; round < 20; round++) {
         wfBodyState s[2] = { random_body(), random_body() };
         wfVec2 pin = vec(2);
@@ -154,9 +151,8 @@ static double swing_energy(const wfBodyState *s)
     return 0.5 * (double)wfLengthSq(s->v) + 0.5 * (double)(s->w * s->w) / 6 + 9.81 * (double)s->p.y;
 }
 
-static void test_pendulum(void **state)
+TEST(test_pendulum)
 {
-    (void)state;
     double a = 1, b = sqrt(0.5);
     for (int i = 0; i < 40; i++) { double m = (a + b) / 2; b = sqrt(a * b); a = m; }
     double exact = 2 * 3.14159265358979 * sqrt((1 + 1 / 6.0) / 9.81) / a;
@@ -180,9 +176,8 @@ static void test_pendulum(void **state)
 }
 
 /* At rest the joint bears the weight; it breaks just above its strength and holds just below. */
-static void test_load_and_breaking(void **state)
+TEST(test_load_and_breaking)
 {
-    (void)state;
     for (int strong = 0; strong < 2; strong++) {
         wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
         wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
@@ -205,9 +200,8 @@ static void test_load_and_breaking(void **state)
     }
 }
 
-static void test_broken_is_free(void **state)
+TEST(test_broken_is_free)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, -10) } };
     wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
@@ -219,9 +213,8 @@ static void test_broken_is_free(void **state)
 }
 
 /* m x'' = -k x - c x': the implicit step's own exact solution is compared in the limit of small substeps. */
-static void test_spring(void **state)
+TEST(test_spring)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
     wfJoint j = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
     wfSetJointSpring(&j, 1, 1, WF_R(0.1));
@@ -240,9 +233,8 @@ static void test_spring(void **state)
     }
 }
 
-static void test_stiff_spring_is_stable(void **state)
+TEST(test_stiff_spring_is_stable)
 {
-    (void)state;
     for (double k = 1; k < 1e12; k *= 100) {
         wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
         wfJoint j = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
@@ -256,9 +248,8 @@ static void test_stiff_spring_is_stable(void **state)
     }
 }
 
-static void test_limits(void **state)
+TEST(test_limits)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
     wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
@@ -282,9 +273,8 @@ static void test_limits(void **state)
     assert_near(j.impulse[4] * 240, 9.81, 0.01);
 }
 
-static void test_motors(void **state)
+TEST(test_motors)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
     wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     j.flags = WF_JOINT_MOTOR, j.motorSpeed = 3, j.motorForce = WF_R(0.25);      /* 0.25 N m * 6 = 1.5 rad/s^2 */
@@ -308,9 +298,8 @@ static void test_motors(void **state)
     assert_near(r[1].p.y - was, -0.5 , 0.2);                            /* lowered by its own weight at the winch's speed */
 }
 
-static void test_wheel_and_slide(void **state)
+TEST(test_wheel_and_slide)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(0, -1) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(3, WF_R(-9.81)), .torque = 1 } };
     wfJoint j = wfMakeJoint("wheel", 0, &s[0], 1, &s[1], wfV2(0, -1), wfV2(0, -1), wfV2(0, 1));
@@ -329,9 +318,8 @@ static void test_wheel_and_slide(void **state)
     assert_near(p[1].angle, 0, 2e-3);
 }
 
-static void test_pulley(void **state)
+TEST(test_pulley)
 {
-    (void)state;
     wfBodyState s[2] = { body(0, 0), body(4, 0) };
     s[1].invMass = WF_R(0.5), s[1].invInertia = 3;
     wfBodyForces f[2] = { { .force = wfV2(0, WF_R(-9.81)) }, { .force = wfV2(0, WF_R(-19.62)) } };
@@ -344,9 +332,8 @@ static void test_pulley(void **state)
     assert_near(j.impulse[0] * 240, 2 * 9.81 * 2 / 3, 0.05);            /* 2 m1 m2 g / (m1 + m2) */
 }
 
-static void test_gear_and_ratchet(void **state)
+TEST(test_gear_and_ratchet)
 {
-    (void)state;
     wfBodyState s[3] = { { .invMass = 0 }, body(0, 0), body(2, 0) };
     wfJoint j[3] = { wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0)), wfMakeRevoluteJoint(0, &s[0], 2, &s[2], wfV2(2, 0)),
                      wfMakeJoint("gear", 1, &s[1], 2, &s[2], s[1].p, s[2].p, wfV2(1, 0)) };
@@ -383,9 +370,8 @@ static void test_gear_and_ratchet(void **state)
     assert_near(wfAbs(k[1].rest * 2 - wfFloor(k[1].rest * 2 + WF_R(0.5))), 0, 1e-5);
 }
 
-static void test_hand_and_servo(void **state)
+TEST(test_hand_and_servo)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
     wfJoint j = wfMakeJoint("hand", 0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(0, 0), wfV2(1, 0));
     j.groundB = wfV2(100, 0), j.motorForce = 2;
@@ -405,9 +391,8 @@ static void test_hand_and_servo(void **state)
 }
 
 /* A wheel of radius 0.5 on its axle and a rod that slides: v = -0.5 w. A force F on the rod moves m + I / r^2. */
-static void test_rack_and_linkage(void **state)
+TEST(test_rack_and_linkage)
 {
-    (void)state;
     wfBodyState s[3] = { { .invMass = 0 }, body(0, 1), body(2, 0) };
     wfBodyForces f[3] = { { .torque = 0 }, { .force = wfV2(3, 0) }, { .torque = 0 } };
     wfJoint j[3] = { wfMakePrismaticJoint(0, &s[0], 1, &s[1], s[1].p, wfV2(1, 0)), wfMakeRevoluteJoint(0, &s[0], 2, &s[2], s[2].p),
@@ -440,9 +425,8 @@ static void test_rack_and_linkage(void **state)
 }
 
 /* Seen from above: v^2 / (2 mu g) in every direction, and a force below the bound moves nothing. */
-static void test_friction(void **state)
+TEST(test_friction)
 {
-    (void)state;
     for (int n = 0; n < 8; n++) {
         double angle = 0.37 + n * 0.7;
         wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
@@ -467,9 +451,8 @@ static void test_friction(void **state)
 }
 
 /* The bound of a hand is the same in every direction, that of a spring holds. */
-static void test_bounds_of_forces(void **state)
+TEST(test_bounds_of_forces)
 {
-    (void)state;
     for (int n = 0; n < 8; n++) {
         double angle = 0.2 + n * 0.8;
         wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
@@ -490,9 +473,8 @@ static void test_bounds_of_forces(void **state)
 }
 
 /* A slide joint: free between its ends, and no further. A groove: a pin that slides along an axis between two ends. */
-static void test_slide_and_groove(void **state)
+TEST(test_slide_and_groove)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(2, 0) };
     wfJoint j = wfMakeDistanceJoint(0, &s[0], 1, &s[1], wfV2(0, 0), wfV2(2, 0));
     j.flags = WF_JOINT_LIMITS, j.lower = 1, j.upper = 3;
@@ -524,9 +506,8 @@ static void test_slide_and_groove(void **state)
 }
 
 /* Rotary spring and rotary limit: the kind "turn" without any anchor. */
-static void test_rotary(void **state)
+TEST(test_rotary)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(5, 5) };
     wfJoint j = wfMakeJoint("turn", 0, &s[0], 1, &s[1], s[1].p, s[1].p, wfV2(1, 0));
     wfSetJointSpring(&j, WF_R(1.0) / 6, 1, WF_R(0.05));
@@ -550,9 +531,8 @@ static void test_rotary(void **state)
 }
 
 /* A rope that is too weak everywhere tears at one place, and nothing is left to break. */
-static void test_only_the_worst_breaks(void **state)
+TEST(test_only_the_worst_breaks)
 {
-    (void)state;
     wfBodyState s[6];
     wfBodyForces f[6];
     wfJoint j[5];
@@ -589,9 +569,8 @@ static double stretch(int links, double load, int substeps)
 }
 
 /* sum of the loads above over k = omega^2 / K, eq:joints-period: at rest the rows give way by m g / k */
-static void test_chain_converges(void **state)
+TEST(test_chain_converges)
 {
-    (void)state;
     double last = 0;
     for (int substeps = 2; substeps <= 16; substeps *= 2) {
         double now = stretch(8, 10, substeps);
@@ -606,9 +585,8 @@ static void test_chain_converges(void **state)
     assert_near(stretch(4, 1, 4), want / 4, want / 4 * 0.01);
 }
 
-static void test_period_zero_is_rigid(void **state)
+TEST(test_period_zero_is_rigid)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)) } };
     wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
@@ -621,9 +599,8 @@ static void test_period_zero_is_rigid(void **state)
     }
 }
 
-static void test_turns_are_counted(void **state)
+TEST(test_turns_are_counted)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(0, 0) };
     wfJoint j = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0));
     double angle = 0;
@@ -637,9 +614,8 @@ static void test_turns_are_counted(void **state)
 }
 
 /* A body that cannot turn, one that cannot move: rows on which no push does anything are left out. */
-static void test_singular(void **state)
+TEST(test_singular)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) };
     wfBodyForces f[2] = { { .torque = 0 }, { .force = wfV2(0, WF_R(-9.81)), .torque = 1 } };
     s[1].invInertia = 0;
@@ -661,9 +637,8 @@ static void test_singular(void **state)
 
 /* What goes round on a rod or a hinge has the energy that it was given and no more, however far it turns in a substep
  * (eq:joints-swung); four passes, so that the first turns are solved. Rounding: a few units in the last place for each push. */
-static void test_no_energy_from_a_swing(void **state)
+TEST(test_no_energy_from_a_swing)
 {
-    (void)state;
     for (int hinge = 0; hinge < 2; hinge++)
         for (double turn = 0.1; turn < 1000; turn *= 1.3) {
             wfReal w = (wfReal)(turn * 240);
@@ -684,9 +659,8 @@ static void test_no_energy_from_a_swing(void **state)
         }
 }
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfBodyState s[2] = { { .invMass = 0 }, body(1, 0) }, was[2];
     wfJoint good = wfMakeRevoluteJoint(0, &s[0], 1, &s[1], wfV2(0, 0)), j = good;
     wfJointStep in = step_of(s, 2, &j, 1, NULL);
@@ -741,29 +715,11 @@ static void test_bad_input(void **state)
     BAD(WF_ERROR_NOT_FINITE, (void)0);
 }
 
-static void test_table(void **state)
+TEST(test_table)
 {
-    (void)state;
     assert_true(wfJointKinds >= 15);
     for (int i = 0; i < wfJointKinds; i++) {
         assert_int_equal(wfFindJoint(wfJointTable[i].name), i);
         assert_true(strlen(wfJointTable[i].text) > 10);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_jacobians), cmocka_unit_test(test_momentum_is_kept), cmocka_unit_test(test_pair_in_flight),
-        cmocka_unit_test(test_pendulum), cmocka_unit_test(test_load_and_breaking), cmocka_unit_test(test_broken_is_free),
-        cmocka_unit_test(test_spring), cmocka_unit_test(test_stiff_spring_is_stable), cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_motors), cmocka_unit_test(test_wheel_and_slide), cmocka_unit_test(test_pulley),
-        cmocka_unit_test(test_gear_and_ratchet), cmocka_unit_test(test_hand_and_servo), cmocka_unit_test(test_chain_converges),
-        cmocka_unit_test(test_period_zero_is_rigid), cmocka_unit_test(test_turns_are_counted), cmocka_unit_test(test_singular),
-        cmocka_unit_test(test_bad_input), cmocka_unit_test(test_table), cmocka_unit_test(test_rack_and_linkage),
-        cmocka_unit_test(test_friction), cmocka_unit_test(test_bounds_of_forces), cmocka_unit_test(test_slide_and_groove),
-        cmocka_unit_test(test_no_energy_from_a_swing),
-        cmocka_unit_test(test_rotary), cmocka_unit_test(test_only_the_worst_breaks),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

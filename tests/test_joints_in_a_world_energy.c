@@ -4,13 +4,6 @@
 #include "world.h"
 #include "weft/world.h"
 
-static wfWorld open_world(const wfWorldDef *def)
-{
-    wfWorld w;
-    assert_ok(wfCreateWorld(def, &w));
-    return w;
-}
-
 static wfBodyId add_box(wfWorld *w, wfBodyType type, double x, double y, double angle, double hx, double hy, double density)
 {
     wfBodyDef def = wfDefaultBodyDef();
@@ -35,9 +28,8 @@ static double energy_of(const wfWorld *w)
 
 /* A bridge of n planks of 2 m whose hinges are all `gap` apart when it is made, hanging by `sag`. Closing the gaps shortens it, and so lifts it: at most
  * until it is straight, by the mean depth of its parabola, 2/3 sag. Nothing else may be gained, and nobody is fast. */
-static void gaps_close_without_a_push(void **unused)
+TEST(gaps_close_without_a_push)
 {
-    (void)unused;
     const struct { int n; double sag; } bridges[] = { { 5, 0.3 }, { 10, 0.6 }, { 10, 2 }, { 20, 1.1 }, { 20, 4 } };
     const double gaps[] = { 0, 1e-4, 1e-3, 4e-3, 1e-2 };
     for (size_t k = 0; k < sizeof bridges / sizeof *bridges; k++)
@@ -45,7 +37,7 @@ static void gaps_close_without_a_push(void **unused)
             int n = bridges[k].n;
             double gap = gaps[g], sag = bridges[k].sag, x = -n, y = 0;
             wfWorldDef def = wfDefaultWorldDef();
-            wfWorld w = open_world(&def);
+            wfWorld w = world_with(&def);
             wfBodyId plank[20], last = add_box(&w, WF_STATIC, -n - 0.1, 0, 0, 0.1, 0.1, 1);
             for (int i = 0; i < n; i++) {
                 double slope = 4 * sag / (2 * n) * ((i + 0.5) / n * 2 - 1), c = cos(slope), s = sin(slope);
@@ -65,12 +57,11 @@ static void gaps_close_without_a_push(void **unused)
 }
 
 /* Two bars in space whose hinge is 5 cm apart: it closes, and they have neither speed nor momentum, and the centre of mass is where it was. */
-static void a_gap_in_space_closes_at_rest(void **unused)
+TEST(a_gap_in_space_closes_at_rest)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, 0);
-    wfWorld w = open_world(&def);
+    wfWorld w = world_with(&def);
     wfBodyId a = add_box(&w, WF_DYNAMIC, -1, 0, 0, 0.9, 0.1, 1), b = add_box(&w, WF_DYNAMIC, 1, 0.5, 0.3, 0.9, 0.1, 3);
     join(&w, a, b, 0, 0, 0.05, 0.02);
     wfVec2 centre = wfLerp(info(&w, a).centre, info(&w, b).centre, WF_R(0.75));
@@ -87,15 +78,14 @@ static void a_gap_in_space_closes_at_rest(void **unused)
 }
 
 /* A ball on a chain of 20 links of .05 kg swings into a wall of boxes. With 177 kg it gained 4.5 %, with 1,767 kg 7,100 % of what its fall had. */
-static void balls_on_chains_gain_nothing(void **unused)
+TEST(balls_on_chains_gain_nothing)
 {
-    (void)unused;
     const double pi = acos(-1), densities[] = { 18 / pi / 0.25, 177 / pi / 0.25 };
     for (int d = 0; d < 2; d++)
         for (int exact = 0; exact < 2; exact++) {
             wfWorldDef def = wfDefaultWorldDef();
             def.solver = wfFindSolver(exact ? "exact" : "soft");
-            wfWorld w = open_world(&def);
+            wfWorld w = world_with(&def);
             wfBodyId last = add_box(&w, WF_STATIC, 0, 12, 0, 0.1, 0.1, 1);
             add(&w, floor_def());
             for (int i = 0; i < 20; i++) {
@@ -118,9 +108,8 @@ static void balls_on_chains_gain_nothing(void **unused)
 }
 
 /* A bar on a post meets a stop at up to a third of a turn and 17 m a step: its kinetic energy never grows, and it goes no farther than its way in a substep. */
-static void stops_give_nothing_back(void **unused)
+TEST(stops_give_nothing_back)
 {
-    (void)unused;
     static const char *const kinds[] = { "revolute", "prismatic", "distance" };
     const double speeds[] = { 0.3, 1, 10, 50, 200, 1000 };
     for (int kind = 0; kind < 3; kind++)
@@ -128,7 +117,7 @@ static void stops_give_nothing_back(void **unused)
             for (int arm = 0; arm < 3; arm++) {
                 wfWorldDef def = wfDefaultWorldDef();
                 def.gravity = wfV2(0, 0);
-                wfWorld w = open_world(&def);
+                wfWorld w = world_with(&def);
                 double speed = speeds[v], way = speed / 240, length = 0.5 + arm, most = 1.5;
                 wfBodyId post = add_box(&w, WF_STATIC, 0, 0, 0, 0.1, 0.1, 1), bar = add_box(&w, WF_DYNAMIC, length, 0, 0, 0.5, 0.1, 1);
                 wfJoint j;
@@ -150,15 +139,4 @@ static void stops_give_nothing_back(void **unused)
                 assert_true(farthest < (double)j.upper + 1.05 * way + 0.01);
                 wfDestroyWorld(&w);
             }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gaps_close_without_a_push),
-        cmocka_unit_test(a_gap_in_space_closes_at_rest),
-        cmocka_unit_test(balls_on_chains_gain_nothing),
-        cmocka_unit_test(stops_give_nothing_back),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,16 +2,6 @@
 #include "testing.h"
 #include "world.h"
 
-static wfWorld twin_of(const wfWorld *world)
-{
-    wfMemory m;
-    wfWorld twin;
-    assert_ok(wfAllocateMemory(&m, world->memory.permanentSize, world->memory.transientSize));
-    memcpy(m.permanent, world->memory.permanent, world->memory.permanentSize);
-    assert_ok(wfOpenWorld(&m, &twin));
-    return twin;
-}
-
 static void free_twin(wfWorld *twin)
 {
     wfFreeMemory(&twin->memory);
@@ -57,9 +47,8 @@ static void build(wfWorld *world)
     }
 }
 
-static void every_kind_of_joint_comes_along(void **state)
+TEST(every_kind_of_joint_comes_along)
 {
-    (void)state;
     /* As in test_world_origin: half a gap a step; 64 m from the origin at least, and up to 4 kinds away. Half a second: nothing hits
      * the ground, and joints that pull along take up an error of d as a motion of about d. The joints' own places would be
      * 64 m off if they had not come along. */
@@ -82,13 +71,11 @@ static void every_kind_of_joint_comes_along(void **state)
     wfDestroyWorld(&stays);
 }
 
-static void sleepers_sleep_on(void **state)
+TEST(sleepers_sleep_on)
 {
-    (void)state;
     wfWorldDef wd = wfDefaultWorldDef();
-    wfWorld world;
     wd.sleep = 1;
-    assert_ok(wfCreateWorld(&wd, &world));
+    wfWorld world = world_with(&wd);
     add(&world, floor_def());
     wfBodyId top = { 0, 0 };
     for (int i = 0; i < 4; i++) {
@@ -126,12 +113,4 @@ static void sleepers_sleep_on(void **state)
     assert_true(awake);
     assert_true(wfHashWorld(&world) != local);
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_kind_of_joint_comes_along), cmocka_unit_test(sleepers_sleep_on)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,9 +4,8 @@
 #include "world.h"
 #include "weft/weft.h"
 
-static void what_never_turns_takes_no_spin(void **state)
+TEST(what_never_turns_takes_no_spin)
 {
-    (void)state;
     for (int kinematic = 0; kinematic < 2; kinematic++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 8, def.forceCapacity = 2;
@@ -38,10 +37,4 @@ static void what_never_turns_takes_no_spin(void **state)
         }
         wfDestroyWorld(&w);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(what_never_turns_takes_no_spin) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,15 +5,12 @@
 static wfWorld make(wfVec2 gravity)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.gravity = gravity;
-    assert_ok(wfCreateWorld(&def, &w));
-    return w;
+    return world_with(&def);
 }
 
-static void a_body_gets_its_mass_from_shapes_added_later(void **unused)
+TEST(a_body_gets_its_mass_from_shapes_added_later)
 {
-    (void)unused;
     wfWorld w = make(wfV2(0, -10));
     wfBodyId id = add(&w, wfDefaultBodyDef());
     wfShapeDef disc = wfDefaultShapeDef(), eye;
@@ -41,9 +38,8 @@ static void a_body_gets_its_mass_from_shapes_added_later(void **unused)
     wfDestroyWorld(&w);
 }
 
-static void gravity_can_be_scaled(void **unused)
+TEST(gravity_can_be_scaled)
 {
-    (void)unused;
     wfWorld w = make(wfV2(0, -10));
     wfBodyId falls = add(&w, ball_def(0, 0, 1)), rises = add(&w, ball_def(10, 0, 1)), floats = add(&w, ball_def(20, 0, 1));
     assert_ok(wfSetBodyGravityScale(&w, rises, -1));
@@ -59,9 +55,8 @@ static void gravity_can_be_scaled(void **unused)
     wfDestroyWorld(&w);
 }
 
-static void rotation_can_be_fixed_and_set_free(void **unused)
+TEST(rotation_can_be_fixed_and_set_free)
 {
-    (void)unused;
     wfWorld w = make(wfV2(0, 0));
     wfBodyId id = add(&w, ball_def(0, 0, 1));
     wfReal inertia = info(&w, id).inertia;
@@ -81,9 +76,8 @@ static void rotation_can_be_fixed_and_set_free(void **unused)
 }
 
 /* No point of the material moves or changes its velocity when the centre of mass is put elsewhere. */
-static void mass_data_can_be_set_by_hand(void **unused)
+TEST(mass_data_can_be_set_by_hand)
 {
-    (void)unused;
     wfWorld w = make(wfV2(0, 0));
     wfBodyDef def = ball_def(3, 4, 1);
     def.angle = 1;
@@ -113,9 +107,8 @@ static void mass_data_can_be_set_by_hand(void **unused)
 }
 
 /* However far its centre of mass is put, and wherever it is: the origin of a body can be told, before and after a step; farther is refused. */
-static void an_origin_is_never_lost(void **unused)
+TEST(an_origin_is_never_lost)
 {
-    (void)unused;
     const wfReal most = WF_HUGE * WF_EPSILON / 8, places[] = { 0, 1, WF_HUGE / 2, -WF_HUGE, WF_HUGE };
     for (int k = 0; k < 5 * 4 * 4; k++) {
         wfWorld w = make(wfV2(0, 0));
@@ -137,9 +130,8 @@ static void an_origin_is_never_lost(void **unused)
 }
 
 /* A kinematic body is where it was told to be after the step, whichever its turn: within the roundings of four substeps. */
-static void a_kinematic_body_reaches_its_target(void **unused)
+TEST(a_kinematic_body_reaches_its_target)
 {
-    (void)unused;
     wfWorld w = make(wfV2(0, -10));
     wfBodyDef def = ball_def(0, 0, 1);
     def.type = WF_KINEMATIC;
@@ -157,9 +149,8 @@ static void a_kinematic_body_reaches_its_target(void **unused)
     wfDestroyWorld(&w);
 }
 
-static void contacts_and_joints_of_a_body(void **unused)
+TEST(contacts_and_joints_of_a_body)
 {
-    (void)unused;
     wfWorld w = make(wfV2(0, -10));
     wfBodyId ground = add(&w, floor_def()), id[10];
     wfJoint j;
@@ -187,9 +178,8 @@ static void contacts_and_joints_of_a_body(void **unused)
 }
 
 /* The coordinate is computed anew from the bodies, and the speed is how it changes when they move on for a moment. */
-static void a_joint_tells_its_coordinate_and_speed(void **unused)
+TEST(a_joint_tells_its_coordinate_and_speed)
 {
-    (void)unused;
     static const char *const kinds[] = { "revolute", "weld", "turn", "distance", "prismatic", "wheel", "pulley", "gear", "ratchet", "rack", "linkage" };
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         wfWorld w = make(wfV2(0, 0));
@@ -243,15 +233,4 @@ static void a_joint_tells_its_coordinate_and_speed(void **unused)
     }
     assert_result(WF_ERROR_STALE_ID, wfGetJointMotion(&w, (wfJointId){ 99, 1 }, &x, NULL));
     wfDestroyWorld(&w);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_body_gets_its_mass_from_shapes_added_later), cmocka_unit_test(gravity_can_be_scaled),
-        cmocka_unit_test(rotation_can_be_fixed_and_set_free), cmocka_unit_test(mass_data_can_be_set_by_hand), cmocka_unit_test(an_origin_is_never_lost),
-        cmocka_unit_test(a_kinematic_body_reaches_its_target), cmocka_unit_test(contacts_and_joints_of_a_body),
-        cmocka_unit_test(a_joint_tells_its_coordinate_and_speed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

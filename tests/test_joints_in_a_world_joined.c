@@ -6,11 +6,9 @@
 static wfWorld open_world(void)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.solver = wfFindSolver("soft");
     assert_true(def.solver >= 0);
-    assert_ok(wfCreateWorld(&def, &w));
-    return w;
+    return world_with(&def);
 }
 
 static wfBodyId box(wfWorld *w, int type, double x, double y, double wide, double high)
@@ -38,9 +36,8 @@ static void run(wfWorld *w, int steps)
     for (int i = 0; i < steps; i++) assert_ok(wfStepWorld(w));
 }
 
-static void test_weight_is_borne(void **state)
+TEST(test_weight_is_borne)
 {
-    (void)state;
     wfWorld w = open_world();
     wfBodyId top = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), load = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
     wfJointId j = pin(&w, "weld", top, load, 0, 4);
@@ -55,9 +52,8 @@ static void test_weight_is_borne(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_bridge_stands(void **state)
+TEST(test_bridge_stands)
 {
-    (void)state;
     wfWorld w = open_world();
     wfBodyId left = box(&w, WF_STATIC, -6, 0, 1, 0.1), right = box(&w, WF_STATIC, 6, 0, 1, 0.1), last = left, plank[10];
     for (int i = 0; i < 10; i++) {
@@ -79,9 +75,8 @@ static void test_bridge_stands(void **state)
 }
 
 /* wheels of radius r that turn at omega roll at omega r */
-static void test_cart_drives(void **state)
+TEST(test_cart_drives)
 {
-    (void)state;
     wfWorld w = open_world();
     box(&w, WF_STATIC, 0, -1, 100, 1);
     wfBodyId cart = box(&w, WF_DYNAMIC, 0, 0.9, 1, 0.25);
@@ -107,9 +102,8 @@ static void test_cart_drives(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_breaks_and_is_listed_once(void **state)
+TEST(test_breaks_and_is_listed_once)
 {
-    (void)state;
     wfWorld w = open_world();
     wfBodyId top = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), load = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
     wfJointId id = pin(&w, "revolute", top, load, 0, 4);
@@ -138,9 +132,8 @@ static void test_breaks_and_is_listed_once(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_joined_do_not_collide(void **state)
+TEST(test_joined_do_not_collide)
 {
-    (void)state;
     for (int collide = 0; collide < 2; collide++) {
         wfWorld w = open_world();
         assert_ok(wfSetGravity(&w, wfV2(0, 0)));
@@ -165,16 +158,14 @@ static void test_joined_do_not_collide(void **state)
 }
 
 /* Many joints in any order: the sorted list must find each pair, and no other. */
-static void test_every_joined_pair_is_found(void **state)
+TEST(test_every_joined_pair_is_found)
 {
-    (void)state;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     wfBodyId id[12];
     bool joined[12][12] = { { false } };
     uint32_t seed = 5;
     def.solver = wfFindSolver("soft");
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     assert_ok(wfSetGravity(&w, wfV2(0, 0)));
     for (int i = 0; i < 12; i++) id[i] = box(&w, WF_DYNAMIC, 0.01 * i, 0, 0.5, 0.5);        /* all in one heap */
     for (int k = 0; k < 30; k++) {
@@ -198,9 +189,8 @@ static void test_every_joined_pair_is_found(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_goes_with_its_body(void **state)
+TEST(test_goes_with_its_body)
 {
-    (void)state;
     for (int which = 0; which < 2; which++) {
         wfWorld w = open_world();
         wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
@@ -221,9 +211,8 @@ static void test_goes_with_its_body(void **state)
     }
 }
 
-static void test_moved_block_and_failed_step(void **state)
+TEST(test_moved_block_and_failed_step)
 {
-    (void)state;
     wfWorld w = open_world();
     wfBodyId top = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), one = box(&w, WF_DYNAMIC, 1, 4, 0.4, 0.1);
     wfBodyId two = box(&w, WF_DYNAMIC, 2, 4, 0.4, 0.1);
@@ -252,9 +241,8 @@ static void test_moved_block_and_failed_step(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfWorld w = open_world(), none = { .memory = { 0 } };
     wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5), stale = { 99, 1 };
     wfVec2 o = wfV2(0, 0), x = wfV2(1, 0);
@@ -311,14 +299,12 @@ static void test_bad_input(void **state)
 }
 
 /* A world whose solver cannot keep joints says so: at once, or at the step when the solver was changed later. */
-static void test_solver_that_keeps_no_joints(void **state)
+TEST(test_solver_that_keeps_no_joints)
 {
-    (void)state;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.solver = wfFindSolver("impulse");
     def.jointCapacity = 5, def.advanced.directJoints = WF_JOINTS_DIRECT, def.advanced.directJointCost = 3, def.advanced.jointCompliance = WF_R(1e-4);
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     wfWorldDef told;
     assert_ok(wfGetWorldDef(&w, &told));
     assert_true(told.jointCapacity == 5 && told.advanced.directJoints == WF_JOINTS_DIRECT && told.advanced.directJointCost == 3 && told.advanced.jointCompliance == def.advanced.jointCompliance);
@@ -358,16 +344,14 @@ static void net(wfWorld *w, double x, int n)
         }
 }
 
-static void test_world_decides(void **state)
+TEST(test_world_decides)
 {
-    (void)state;
     const int want[3][2] = { { 0, 0 }, { 6 + 112, 6 + 112 }, { 6, 6 } };    /* one by one, together, auto */
     for (int how = 0; how < 3; how++) {
         wfWorldDef def = wfDefaultWorldDef();
-        wfWorld w;
         assert_int_equal(def.advanced.directJoints, WF_JOINTS_AUTO);
         def.advanced.directJoints = how, def.jointCapacity = 256;
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         chain(&w, 20, 6);
         net(&w, 0, 8);
         assert_int_equal(wfJointCount(&w), 6 + 112);
@@ -418,12 +402,10 @@ static void test_world_decides(void **state)
 }
 
 /* What a user gets who changes nothing: twenty links of a kilogram with a ton do not stretch by 1 % (issue 4), and swing. */
-static void test_default_chain(void **state)
+TEST(test_default_chain)
 {
-    (void)state;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     wfBodyId last = box(&w, WF_STATIC, 0, 20.2, 0.2, 0.2), load = last;
     for (int i = 0; i < 20; i++) {
         wfBodyDef b = wfDefaultBodyDef();
@@ -446,17 +428,15 @@ static void test_default_chain(void **state)
 }
 
 /* Every row of the solver table keeps every kind of joint, or says that it does not, and what to do. */
-static void test_every_solver_and_kind(void **state)
+TEST(test_every_solver_and_kind)
 {
-    (void)state;
     int kept = 0, refused = 0;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int kind = 0; kind < wfJointKinds; kind++) {
             wfWorldDef def = wfDefaultWorldDef();
-            wfWorld w;
             wfJoint j;
             def.solver = solver, def.iterations = 8;
-            assert_ok(wfCreateWorld(&def, &w));
+            wfWorld w = world_with(&def);
             wfBodyId a = box(&w, WF_STATIC, 0, 5, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0, 3, 0.5, 0.5);
             assert_ok(wfDefineJoint(&w, wfJointTable[kind].name, a, b, wfV2(0, 4), wfV2(0, 4), wfV2(1, 0), &j));
             wfResult result = wfAddJointToWorld(&w, &j, NULL);
@@ -481,13 +461,11 @@ static void test_every_solver_and_kind(void **state)
 
 /* A rod let go at the height of its hinge, a minute: in double its energy stays to a millionth; in float it wanders by eq:exact-wander,
    sqrt(6 * 14400 / 3) * 2^-23 = 2e-5, and three times that is let pass. A loaded chain stretches by eq:exact-stretch. */
-static void test_a_minute_of_the_pendulum(void **state)
+TEST(test_a_minute_of_the_pendulum)
 {
-    (void)state;
     wfWorldDef def = wfDefaultWorldDef();
     def.solver = wfFindSolver("exact");
-    wfWorld w;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     wfBodyId nail = box(&w, WF_STATIC, 0, 0, 0.01, 0.01), rod = box(&w, WF_DYNAMIC, 0.5, 0, 0.5, 0.01);
     pin(&w, "revolute", nail, rod, 0, 0);
     double kinetic = 0, potential = 0, before = 0;
@@ -499,15 +477,13 @@ static void test_a_minute_of_the_pendulum(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_a_loaded_chain_stretches_as_much_as_it_gives(void **state)
+TEST(test_a_loaded_chain_stretches_as_much_as_it_gives)
 {
-    (void)state;
     for (int n = 0; n < 2; n++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.solver = wfFindSolver("exact");
         def.advanced.jointCompliance = n == 0 ? WF_JOINT_COMPLIANCE : WF_R(1e-6);
-        wfWorld w;
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         wfBodyId last = box(&w, WF_STATIC, 0, 0.1, 0.01, 0.1);
         double turn = 2 * 3.14159265358979 / WF_JOINT_PERIOD, beta = turn / (2 * WF_JOINT_DAMPING + turn), sum = 0, h = 1.0 / 240;
         for (int i = 0; i < 20; i++) {
@@ -548,14 +524,12 @@ static void assert_stands_still(wfWorld *w, wfBodyId what)
     wfDestroyWorld(w);
 }
 
-static void test_ladder_and_grip(void **state)
+TEST(test_ladder_and_grip)
 {
-    (void)state;
     for (double load = 1; load < 2000; load *= 10) {
         wfWorldDef def = wfDefaultWorldDef();
         def.solver = wfFindSolver("exact"), def.advanced.directJoints = WF_JOINTS_DIRECT;
-        wfWorld w;
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         box(&w, WF_STATIC, 0, -1, 100, 1), box(&w, WF_STATIC, -1, 50, 1, 50);
         double angle = 65 * 3.14159265358979 / 180, c = cos(angle), s = sin(angle);
         wfBodyId last = { 0 }, top = { 0 };
@@ -603,10 +577,9 @@ static double flung(const char *kind, bool rope, double speed, int substeps)
     wfWorldDef def = wfDefaultWorldDef();
     wfBodyId above, link, first = { 0, 0 };
     double kinetic, potential, before, most = 0;
-    wfWorld w;
     wfJoint j;
     def.substeps = substeps, def.advanced.directJoints = WF_JOINTS_ITERATIVE;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     above = box(&w, WF_STATIC, 0, 0.4, 0.1, 0.1);
     for (int i = 0; i < 6; i++, above = link) {
         wfVec2 top = wfV2(0, WF_R(-0.8) * (wfReal)i), end = wfV2(0, top.y - WF_R(0.4));
@@ -630,9 +603,8 @@ static double flung(const char *kind, bool rope, double speed, int substeps)
     return most - before;
 }
 
-static void test_a_flung_chain_does_not_burst(void **state)
+TEST(test_a_flung_chain_does_not_burst)
 {
-    (void)state;
     static const double speeds[] = { 100, 1000, 3000, 10000 };
     for (int s = 0; s < 4; s++)
         for (int substeps = 1; substeps <= 16; substeps *= 4)
@@ -642,19 +614,4 @@ static void test_a_flung_chain_does_not_burst(void **state)
                 assert_true(flung("distance", false, speed, substeps) <= 0);
                 assert_true(flung("distance", true, speed, substeps) <= 0);
             }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_weight_is_borne), cmocka_unit_test(test_a_flung_chain_does_not_burst), cmocka_unit_test(test_bridge_stands), cmocka_unit_test(test_cart_drives),
-        cmocka_unit_test(test_breaks_and_is_listed_once), cmocka_unit_test(test_joined_do_not_collide),
-        cmocka_unit_test(test_every_joined_pair_is_found), cmocka_unit_test(test_goes_with_its_body),
-        cmocka_unit_test(test_moved_block_and_failed_step), cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_solver_that_keeps_no_joints),
-        cmocka_unit_test(test_world_decides), cmocka_unit_test(test_default_chain), cmocka_unit_test(test_every_solver_and_kind),
-        cmocka_unit_test(test_ladder_and_grip),
-        cmocka_unit_test(test_a_minute_of_the_pendulum), cmocka_unit_test(test_a_loaded_chain_stretches_as_much_as_it_gives),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

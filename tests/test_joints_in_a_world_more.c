@@ -32,9 +32,8 @@ static double energy(const wfWorld *w)
     return kinetic + potential;
 }
 
-static void a_rod_of_no_length_is_a_pin(void **state)
+TEST(a_rod_of_no_length_is_a_pin)
 {
-    (void)state;
     const double gaps[] = { 0, 1e-6, 4e-6, 1e-5, 1e-4, 1e-3 };
     for (int together = ONE_BY_ONE; together <= TOGETHER; together++)
         for (size_t i = 0; i < sizeof gaps / sizeof *gaps; i++) {
@@ -93,9 +92,8 @@ static double gain(wfWorld *w, int count, wfReal gravity)
     return kinetic + fall > 0 ? rise / (kinetic + fall) : rise;
 }
 
-static void short_rods_and_ropes_gain_nothing(void **state)
+TEST(short_rods_and_ropes_gain_nothing)
 {
-    (void)state;
     const double lengths[] = { 0, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1 };
     for (int setup = 0; setup < 64; setup++) {
         int together = setup & 1 ? TOGETHER : ONE_BY_ONE, flags = setup & 2 ? WF_JOINT_LIMITS : 0, count = setup & 4 ? MOST : 2;
@@ -117,9 +115,8 @@ static void short_rods_and_ropes_gain_nothing(void **state)
 }
 
 /* Two free boxes, one of them thrown: the servo and friction may change how they move and turn, not their momentum or angular momentum. */
-static void servo_and_friction_keep_angular_momentum(void **state)
+TEST(servo_and_friction_keep_angular_momentum)
 {
-    (void)state;
     const struct { const char *kind; wfReal stiffness, damping, most, apart; } cases[] = {
         { "servo", 100, 0, 1000, 3 }, { "servo", 100, 20, 1000, 3 }, { "servo", 0, 20, 1000, 3 }, { "servo", 100, 20, 5, 3 },
         { "servo", 1000, 100, 10000, 3 }, { "servo", 100, 20, 1000, WF_R(0.01) }, { "friction", 0, 0, 5, 3 }, { "friction", 0, 0, 500, 3 } };
@@ -145,14 +142,4 @@ static void servo_and_friction_keep_angular_momentum(void **state)
         assert_near(l, l0, 10 * rounding);
         wfDestroyWorld(&w);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_rod_of_no_length_is_a_pin),
-        cmocka_unit_test(short_rods_and_ropes_gain_nothing),
-        cmocka_unit_test(servo_and_friction_keep_angular_momentum),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

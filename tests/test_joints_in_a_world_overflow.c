@@ -2,17 +2,14 @@
    near has not become NaN. Nothing here is tuned: either all numbers are finite, or nothing has happened. */
 #include "testing.h"
 #include "world.h"
-#include <math.h>
 
 static const double huge = 1e38;
 
 static wfWorld make(int solver)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld world;
     def.solver = solver;
-    assert_ok(wfCreateWorld(&def, &world));
-    return world;
+    return world_with(&def);
 }
 
 /* Steps; if a step is refused, nothing has changed; every body is finite all the time. How many steps went well? */
@@ -30,9 +27,8 @@ static int steps_or_refuses(wfWorld *world, int count)
     return good;
 }
 
-static void test_not_a_number_is_refused(void **state)
+TEST(test_not_a_number_is_refused)
 {
-    (void)state;
     wfWorld world = make(wfFindSolver("soft"));
     wfBodyId id = add(&world, ball_def(0, 5, 0.5));
     add(&world, floor_def());
@@ -62,9 +58,8 @@ static void test_not_a_number_is_refused(void **state)
     wfDestroyWorld(&world);
 }
 
-static void test_forces_and_speeds_at_the_end(void **state)
+TEST(test_forces_and_speeds_at_the_end)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++) {
         for (int kind = 0; kind < 4; kind++) {
             wfWorld world = make(solver);
@@ -83,9 +78,8 @@ static void test_forces_and_speeds_at_the_end(void **state)
 }
 
 /* the heaviest that is allowed on the lightest, and the other way round */
-static void test_masses_far_apart(void **state)
+TEST(test_masses_far_apart)
 {
-    (void)state;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int up = 0; up < 2; up++) {
             wfWorld world = make(solver);
@@ -103,9 +97,8 @@ static void test_masses_far_apart(void **state)
 }
 
 /* two walls that are joined: nothing moves, and nothing that was never written is read */
-static void test_joined_walls(void **state)
+TEST(test_joined_walls)
 {
-    (void)state;
     wfWorld world = make(wfFindSolver("soft"));
     wfBodyDef def = floor_def();
     wfBodyId a = add(&world, def);
@@ -121,9 +114,8 @@ static void test_joined_walls(void **state)
 }
 
 /* a body that crosses the whole range of numbers in a step is looked at 256 times, and not for ever */
-static void test_too_fast_to_follow(void **state)
+TEST(test_too_fast_to_follow)
 {
-    (void)state;
     wfWorld world = make(wfFindSolver("impulse"));
     for (int i = 0; i < 8; i++) add(&world, ball_def(3 * i, 0, 1));
     wfBodyDef shot = ball_def(-9, 0, 1);
@@ -134,9 +126,8 @@ static void test_too_fast_to_follow(void **state)
 }
 
 /* two steps of 2e38 s: the time is no float any more */
-static void test_time_runs_out(void **state)
+TEST(test_time_runs_out)
 {
-    (void)state;
     wfWorld world = make(wfFindSolver("soft"));
     wfReal dt = (wfReal)(sizeof(wfReal) == 8 ? 1.5e308 : 2e38);
     assert_ok(wfSetTimeStep(&world, dt));
@@ -145,9 +136,8 @@ static void test_time_runs_out(void **state)
 }
 
 /* a pebble on a mountain whose centre is 30 km away would be no shape any more */
-static void test_shape_far_from_its_centre(void **state)
+TEST(test_shape_far_from_its_centre)
 {
-    (void)state;
     wfWorld world = make(wfFindSolver("soft"));
     wfBodyDef def = wfDefaultBodyDef();
     assert_ok(wfMakeBox(30000, 30000, &def.shape));
@@ -164,14 +154,4 @@ static void test_shape_far_from_its_centre(void **state)
     assert_true(all.count >= 1);
     for (int32_t k = 0; k < all.count; k++) assert_ok(wfCheckShape(&all.shapes[k]));   /* what is in the world is a shape */
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_not_a_number_is_refused), cmocka_unit_test(test_forces_and_speeds_at_the_end),
-        cmocka_unit_test(test_masses_far_apart), cmocka_unit_test(test_joined_walls), cmocka_unit_test(test_too_fast_to_follow),
-        cmocka_unit_test(test_time_runs_out), cmocka_unit_test(test_shape_far_from_its_centre),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,7 +7,6 @@
 #include "world.h"
 #include "weft/exact.h"
 #include "weft/weft.h"
-#include <math.h>
 
 enum { CIRCLE, BOX, COMPOUND, ON_CHAIN, KINDS, PHASES = 40 };
 static const char *const kind_name[] = { "circle", "box", "compound", "box on a chain" };
@@ -123,9 +122,8 @@ static void meet_wall(int solver, int kind, double e, double speed, int phase)
     wfDestroyWorld(&w);
 }
 
-static void what_meets_a_wall_is_told(void **state)
+TEST(what_meets_a_wall_is_told)
 {
-    (void)state;
     const double e[] = { 0, 0.3, 0.5, 1 }, speed[] = { 0.01, 0.1, 1, 10, 50, 200 };
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int kind = 0; kind < KINDS; kind++)
@@ -158,9 +156,8 @@ static void fall_and_bounce(int solver, double e, double height)
     wfDestroyWorld(&w);
 }
 
-static void what_falls_is_told(void **state)
+TEST(what_falls_is_told)
 {
-    (void)state;
     const double e[] = { 0, 0.3, 0.5, 1 };
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int i = 0; i < 4; i++)
@@ -198,22 +195,11 @@ static bool fall_into_rope(double from, double strength)
     return broke > 0;
 }
 
-static void a_jerk_is_told_and_breaks(void **state)
+TEST(a_jerk_is_told_and_breaks)
 {
-    (void)state;
     for (int phase = 0; phase < PHASES; phase++) {
         assert_false(fall_into_rope(1 + 0.005 * phase, 0));
         assert_true(fall_into_rope(1 + 0.005 * phase, 1000));
         assert_false(fall_into_rope(1 + 0.005 * phase, 4000));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_meets_a_wall_is_told),
-        cmocka_unit_test(what_falls_is_told),
-        cmocka_unit_test(a_jerk_is_told_and_breaks),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,9 +18,8 @@ static wfPool small_pool(size_t size)
 }
 
 /* ------------------------------------------------------------------------------------------------- results */
-static void test_results_have_words(void **state)
+TEST(test_results_have_words)
 {
-    (void)state;
     assert_int_equal(WF_OK, 0);
     for (int i = 0; i < WF_RESULT_COUNT; i++) {
         assert_non_null(wfResultName((wfResult)i));
@@ -36,9 +35,8 @@ static void test_results_have_words(void **state)
 }
 
 /* --------------------------------------------------------------------------------------------------- pools */
-static void test_pool_refuses_bad_memory(void **state)
+TEST(test_pool_refuses_bad_memory)
 {
-    (void)state;
     wfPool pool = { block + 1, 2, 3 };
     assert_result(WF_ERROR_NULL, wfPoolInit(NULL, 16, block));
     assert_result(WF_ERROR_NULL, wfPoolInit(&pool, 16, NULL));
@@ -51,9 +49,8 @@ static void test_pool_refuses_bad_memory(void **state)
     assert_null(wfPoolPush(&pool, 1, 1));
 }
 
-static void test_pool_pushes_in_order(void **state)
+TEST(test_pool_pushes_in_order)
 {
-    (void)state;
     wfPool pool = small_pool(64);
     assert_ptr_equal(wfPoolPush(&pool, 5, 1), block);
     assert_ptr_equal(wfPoolPush(&pool, 3, 2), block + 6);       /* 5 rounded up to 6 */
@@ -69,9 +66,8 @@ static void test_pool_pushes_in_order(void **state)
 }
 
 /* Any sequence of pushes: aligned, inside the pool, no two overlap, no byte more is used than padding asks for. */
-static void test_pool_pushes_never_overlap(void **state)
+TEST(test_pool_pushes_never_overlap)
 {
-    (void)state;
     uint64_t r = 5;
     for (int round = 0; round < 2000; round++) {
         wfPool pool = small_pool(below(&r, sizeof block + 1));
@@ -92,9 +88,8 @@ static void test_pool_pushes_never_overlap(void **state)
     }
 }
 
-static void test_pool_refuses_bad_pushes(void **state)
+TEST(test_pool_refuses_bad_pushes)
 {
-    (void)state;
     wfPool pool = small_pool(256);
     assert_non_null(wfPoolPush(&pool, 10, 1));
     size_t bad_align[] = { 0, 3, 5, 6, 7, 12, 24, 32, 64, SIZE_MAX, SIZE_MAX - 15 };
@@ -112,9 +107,8 @@ static void test_pool_refuses_bad_pushes(void **state)
     assert_ptr_equal(pool.base, block);
 }
 
-static void test_pool_macros_know_type_and_alignment(void **state)
+TEST(test_pool_macros_know_type_and_alignment)
 {
-    (void)state;
     typedef struct { char c; double d; int32_t i; } thing;
     wfPool pool = small_pool(512);
     assert_non_null(wfPoolPush(&pool, 1, 1));
@@ -127,9 +121,8 @@ static void test_pool_macros_know_type_and_alignment(void **state)
     assert_non_null(wfPoolPushArray(&pool, 0, thing));
 }
 
-static void test_pool_marks_rewind(void **state)
+TEST(test_pool_marks_rewind)
 {
-    (void)state;
     wfPool pool = small_pool(128);
     assert_non_null(wfPoolPush(&pool, 20, 1));
     size_t outer = wfPoolMark(&pool);
@@ -151,9 +144,8 @@ static void test_pool_marks_rewind(void **state)
 }
 
 /* --------------------------------------------------------------------------------------- the engine's memory */
-static void test_memory_is_allocated_once(void **state)
+TEST(test_memory_is_allocated_once)
 {
-    (void)state;
     wfMemory m;
     assert_ok(wfAllocateMemory(&m, 1000, 77));
     assert_int_equal(m.permanentSize, 1000);
@@ -178,9 +170,8 @@ static void test_memory_is_allocated_once(void **state)
     wfFreeMemory(&m);
 }
 
-static void test_memory_that_is_not_there(void **state)
+TEST(test_memory_that_is_not_there)
 {
-    (void)state;
     wfMemory before = { block, 1, block, 2, 0 }, m = before;
     assert_result(WF_ERROR_NULL, wfAllocateMemory(NULL, 1, 1));
     assert_result(WF_ERROR_MEMORY, wfAllocateMemory(&m, SIZE_MAX, 16));
@@ -193,9 +184,8 @@ static void test_memory_that_is_not_there(void **state)
 }
 
 /* --------------------------------------------------------------------------------------------------- slots */
-static void test_slots_by_hand(void **state)
+TEST(test_slots_by_hand)
 {
-    (void)state;
     wfSlot slots[3];
     wfSlots s;
     wfSlotsInit(&s, slots, 3);
@@ -225,9 +215,8 @@ static void test_slots_by_hand(void **state)
     assert_int_equal(s.count, 3);
 }
 
-static void test_slots_of_no_capacity(void **state)
+TEST(test_slots_of_no_capacity)
 {
-    (void)state;
     wfSlot one = { 77, 77 };
     wfSlots s;
     wfSlotsInit(&s, &one, 0);
@@ -238,9 +227,8 @@ static void test_slots_of_no_capacity(void **state)
     assert_int_equal(one.next, 77);                  /* not touched */
 }
 
-static void test_slot_generation_skips_zero(void **state)
+TEST(test_slot_generation_skips_zero)
 {
-    (void)state;
     wfSlot one;
     wfSlots s;
     wfSlotsInit(&s, &one, 1);
@@ -252,9 +240,8 @@ static void test_slot_generation_skips_zero(void **state)
 }
 
 /* Random takes and gives against the simplest possible model: an array of booleans. */
-static void test_slots_against_a_model(void **state)
+TEST(test_slots_against_a_model)
 {
-    (void)state;
     enum { N = 50 };
     wfSlot slots[N];
     wfSlots s;
@@ -286,9 +273,8 @@ static void test_slots_against_a_model(void **state)
 }
 
 /* ------------------------------------------------------------------------------------------------- the hash */
-static void test_hash_is_fnv_1a(void **state)
+TEST(test_hash_is_fnv_1a)
 {
-    (void)state;
     /* published test vectors: Fowler, Noll, Vo, Eastlake, Hansen: draft-eastlake-fnv, appendix C */
     assert_true(wfHashBytes(WF_HASH_SEED, "", 0) == 0xcbf29ce484222325u);
     assert_true(wfHashBytes(WF_HASH_SEED, "a", 1) == 0xaf63dc4c8601ec8cu);
@@ -299,25 +285,4 @@ static void test_hash_is_fnv_1a(void **state)
     assert_true(wfHashU64(WF_HASH_SEED, 0x0807060504030201u) ==
                 wfHashBytes(WF_HASH_SEED, "\1\2\3\4\5\6\7\10", 8));
     assert_true(wfHashU64(WF_HASH_SEED, 1) != wfHashU64(WF_HASH_SEED, (uint64_t)1 << 32));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_results_have_words),
-        cmocka_unit_test(test_pool_refuses_bad_memory),
-        cmocka_unit_test(test_pool_pushes_in_order),
-        cmocka_unit_test(test_pool_pushes_never_overlap),
-        cmocka_unit_test(test_pool_refuses_bad_pushes),
-        cmocka_unit_test(test_pool_macros_know_type_and_alignment),
-        cmocka_unit_test(test_pool_marks_rewind),
-        cmocka_unit_test(test_memory_is_allocated_once),
-        cmocka_unit_test(test_memory_that_is_not_there),
-        cmocka_unit_test(test_slots_by_hand),
-        cmocka_unit_test(test_slots_of_no_capacity),
-        cmocka_unit_test(test_slot_generation_skips_zero),
-        cmocka_unit_test(test_slots_against_a_model),
-        cmocka_unit_test(test_hash_is_fnv_1a),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

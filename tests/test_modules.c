@@ -6,11 +6,9 @@
 static wfWorld made_for(uint32_t modules)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld world;
     def.bodyCapacity = 40;
     def.modules = modules;
-    assert_ok(wfCreateWorld(&def, &world));
-    return world;
+    return world_with(&def);
 }
 
 static void steps(wfWorld *world, int n)
@@ -25,9 +23,8 @@ static uint32_t modules_of(const wfWorld *world)
     return def.modules;
 }
 
-static void the_table_is_in_order(void **unused)
+TEST(the_table_is_in_order)
 {
-    (void)unused;
     uint32_t before = 0;
     for (int i = 0; i < wfModuleCount; i++) {
         const wfModule *row = &wfModuleTable[i];
@@ -47,9 +44,8 @@ static void the_table_is_in_order(void **unused)
         assert_true(wfCloseModules(wfCloseModules(set)) == wfCloseModules(set) && (wfCloseModules(set) & set) == set);
 }
 
-static void the_default_is_all_of_them(void **unused)
+TEST(the_default_is_all_of_them)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     assert_int_equal(def.modules, wfAllModules());
     wfWorld world = made_for(wfAllModules());
@@ -73,9 +69,8 @@ static void the_default_is_all_of_them(void **unused)
     assert_string_equal(wfSettingRowName(modules, 0), wfModuleTable[0].name);
 }
 
-static void a_need_brings_along_what_it_implies(void **unused)
+TEST(a_need_brings_along_what_it_implies)
 {
-    (void)unused;
     wfWorld world = made_for(WF_MODULE_SENSORS);
     uint32_t modules = modules_of(&world);                     /* "soft" steps by itself */
     assert_int_equal(modules, WF_MODULE_SENSORS | WF_MODULE_EVENTS | WF_MODULE_CONTACTS | WF_MODULE_SHAPES | WF_MODULE_SUBSTEPS);
@@ -180,9 +175,8 @@ static uint32_t all_without(uint32_t bit)
     return modules;
 }
 
-static void without_a_need_its_door_is_shut(void **unused)
+TEST(without_a_need_its_door_is_shut)
 {
-    (void)unused;
     for (int d = 0; d < DOORS; d++)
         for (int shut = 0; shut < 2; shut++) {
             uint32_t modules = shut ? all_without(doors[d].need) : wfAllModules();
@@ -209,9 +203,8 @@ static void without_a_need_its_door_is_shut(void **unused)
         }
 }
 
-static void what_cannot_show_is_not_missed(void **unused)
+TEST(what_cannot_show_is_not_missed)
 {
-    (void)unused;
     wfWorld none = made_for(0), smooth = made_for(WF_MODULE_CONTACTS), shaped = made_for(WF_MODULE_SHAPES);
     wfBodyDef d = wfDefaultBodyDef();
     d.mass = 1;
@@ -234,9 +227,8 @@ static void what_cannot_show_is_not_missed(void **unused)
     wfDestroyWorld(&shaped);
 }
 
-static void a_definition_may_not_contradict_itself(void **unused)
+TEST(a_definition_may_not_contradict_itself)
 {
-    (void)unused;
     const wfSetting *fault;
     static const struct { const char *name; double value; wfResult want; } said[] = {
         { "shapeCapacity", 9, WF_ERROR_NO_SHAPES }, { "pairCapacity", 9, WF_ERROR_NO_CONTACTS }, { "slop", 0.25, WF_ERROR_NO_CONTACTS },
@@ -275,9 +267,8 @@ static void build_heap(wfWorld *world)
     }
 }
 
-static void a_profile_has_the_bits_of_the_whole(void **unused)
+TEST(a_profile_has_the_bits_of_the_whole)
 {
-    (void)unused;
     for (int solver = 0; solver < wfSolverCount; solver++) {
         if (strcmp(wfSolverTable[solver].name, "exact") == 0 && sizeof(wfReal) == 8) continue;      /* slow */
         wfWorldDef def = wfDefaultWorldDef();
@@ -301,9 +292,8 @@ static void a_profile_has_the_bits_of_the_whole(void **unused)
 }
 
 /* A body of a world without rotation is one that never turns: y = v t - g t^2 / 2 stays what it is, and so does the angle. */
-static void without_rotation_nothing_turns(void **unused)
+TEST(without_rotation_nothing_turns)
 {
-    (void)unused;
     wfWorld whole = made_for(wfAllModules()), lean = made_for(WF_MODULE_CONTACTS | WF_MODULE_FRICTION);
     wfWorld *both[2] = { &whole, &lean };
     for (int k = 0; k < 2; k++)
@@ -326,9 +316,8 @@ static void without_rotation_nothing_turns(void **unused)
 }
 
 /* Particles under gravity alone: Verlet's parabola is exact but for roundings, n steps of eps * 20 m each. */
-static void drops_fly_in_a_few_bytes(void **unused)
+TEST(drops_fly_in_a_few_bytes)
 {
-    (void)unused;
     wfWorld world = made_for(0);
     wfWorldDef def;
     assert_ok(wfGetWorldDef(&world, &def));
@@ -347,9 +336,8 @@ static void drops_fly_in_a_few_bytes(void **unused)
 }
 
 /* ---- inferring ---- */
-static void a_world_knows_what_it_used(void **unused)
+TEST(a_world_knows_what_it_used)
 {
-    (void)unused;
     wfWorld world = made_for(wfAllModules());
     wfWorldDef def;
     assert_ok(wfInferModules(&world, 0, &def));
@@ -384,9 +372,8 @@ static void a_world_knows_what_it_used(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void a_list_knows_what_it_requires(void **unused)
+TEST(a_list_knows_what_it_requires)
 {
-    (void)unused;
     wfBodyDef bodies[3] = { ball_def(0, 5, 1), floor_def(), wfDefaultBodyDef() };
     bodies[0].restitution = 1;
     bodies[2].mass = 1;
@@ -400,8 +387,7 @@ static void a_list_knows_what_it_requires(void **unused)
     assert_int_equal(def.modules, WF_MODULE_ROTATION | WF_MODULE_SHAPES | WF_MODULE_CONTACTS | WF_MODULE_FRICTION | WF_MODULE_RESTITUTION
                               | WF_MODULE_FORCES | WF_MODULE_EVENTS | WF_MODULE_SUBSTEPS);
     assert_true(def.bodyCapacity == 3 && def.shapeCapacity == 2 && def.forceCapacity == 4);
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     for (int i = 0; i < 3; i++) add(&world, bodies[i]);
     assert_result(WF_ERROR_FULL, wfAddBodyToWorld(&world, &bodies[0], NULL));
     steps(&world, 60);
@@ -435,9 +421,8 @@ static const char *line_of(const Pages *p, const char *start)
     return "";
 }
 
-static void a_world_explains_itself(void **unused)
+TEST(a_world_explains_itself)
 {
-    (void)unused;
     wfWorld world = made_for(WF_MODULE_CONTACTS | WF_MODULE_ROTATION);
     Pages p = { .lines = 0 };
     assert_ok(wfExplainWorld(&world, NULL, 0, print_line, &p));
@@ -479,23 +464,4 @@ static void a_world_explains_itself(void **unused)
     const char *copy = line_of(&p, "copy ");
     assert_string_equal(copy + strlen(copy) - 7, " 1000.0");
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_table_is_in_order),
-        cmocka_unit_test(the_default_is_all_of_them),
-        cmocka_unit_test(a_need_brings_along_what_it_implies),
-        cmocka_unit_test(without_a_need_its_door_is_shut),
-        cmocka_unit_test(what_cannot_show_is_not_missed),
-        cmocka_unit_test(a_definition_may_not_contradict_itself),
-        cmocka_unit_test(a_profile_has_the_bits_of_the_whole),
-        cmocka_unit_test(without_rotation_nothing_turns),
-        cmocka_unit_test(drops_fly_in_a_few_bytes),
-        cmocka_unit_test(a_world_knows_what_it_used),
-        cmocka_unit_test(a_list_knows_what_it_requires),
-        cmocka_unit_test(a_world_explains_itself),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,7 +1,5 @@
 /* What the table of the kinds in joint.h says that each reads of a wfJoint is what it reads: a field that is changed changes its rows, in
  * some of many places of the bodies, if and only if it is named there; and appendix B says the same. */
-#include <stdio.h>
-#include <string.h>
 #include "testing.h"
 #include "weft/joint.h"
 
@@ -88,9 +86,8 @@ static bool reads(int kind, const Field *f)
     return false;
 }
 
-static void the_table_says_what_is_read(void **unused)
+TEST(the_table_says_what_is_read)
 {
-    (void)unused;
     for (int kind = 0; kind < wfJointKinds; kind++) {
         const char *list = list_of(wfJointTable[kind].name);
         for (size_t i = 0; i < sizeof fields / sizeof *fields; i++) {
@@ -99,10 +96,4 @@ static void the_table_says_what_is_read(void **unused)
             if (named != read) fail_msg("%s %s %s, and the table says that it %s", wfJointTable[kind].name, read ? "reads" : "does not read", fields[i].name, named ? "does" : "does not");
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(the_table_says_what_is_read) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -80,9 +80,8 @@ static double tie(const wfShape *a, const wfShape *b)
     return (double)WF_AXIS_TIE * fmin((double)wfShapeMaxExtent(a), (double)wfShapeMaxExtent(b)) + ROUNDING;
 }
 
-static void test_names(void **state)
+TEST(test_names)
 {
-    (void)state;
     for (int i = 0; i < wfNarrowPhaseCount; i++) {
         assert_int_equal(wfFindNarrowPhase(wfNarrowPhaseTable[i].name), i);
         assert_true(strlen(wfNarrowPhaseTable[i].text) > 0);
@@ -92,9 +91,8 @@ static void test_names(void **state)
     assert_int_equal(wfFindNarrowPhase(NULL), -1);
 }
 
-static void test_projection(void **state)
+TEST(test_projection)
 {
-    (void)state;
     wfShape b = box(2, 1), c = circle(1, 0, 0.5), dot0 = { 0 };
     wfProjection p = wfProject(&b, at(3, 4, 0), wfV2(1, 0));
     assert_near(p.min, 1, ROUNDING);
@@ -131,9 +129,8 @@ static void test_projection(void **state)
     }
 }
 
-static void test_overlap_and_escape(void **state)
+TEST(test_overlap_and_escape)
 {
-    (void)state;
     wfShape big = box(5, 5), small = box(1, 1);
     wfVec2 x = wfV2(1, 0);
     assert_near(wfAxisOverlap(&big, at(0, 0, 0), &small, at(5.5, 0, 0), x), 0.5, ROUNDING);
@@ -161,9 +158,8 @@ static void test_overlap_and_escape(void **state)
     }
 }
 
-static void test_relative_pose(void **state)
+TEST(test_relative_pose)
 {
-    (void)state;
     wfRandom r = random_stream(3);
     for (int i = 0; i < 500; i++) {
         wfTransform xa = random_transform(&r, 3), xb = random_transform(&r, 3);
@@ -186,9 +182,8 @@ static void test_relative_pose(void **state)
     }
 }
 
-static void test_circles(void **state)
+TEST(test_circles)
 {
-    (void)state;
     wfShape a = circle(0, 0, 1), b = circle(1, 0, 2);
     wfSeparation s = sat(&a, at(0, 0, 0), &b, at(3, 0, 90));            /* B's centre is at (3, 1) */
     assert_near(s.distance, sqrt(10) - 3, ROUNDING);
@@ -211,9 +206,8 @@ static void test_circles(void **state)
 }
 
 /* One centre on the other: any direction is right; it is always the same one. */
-static void test_coincident_circles(void **state)
+TEST(test_coincident_circles)
 {
-    (void)state;
     wfShape a = circle(0, 0, 1), b = circle(0, 0, 0.5);
     for (int k = 0; k < 8; k++) {
         wfSeparation s = sat(&a, at(2, 3, 45.0 * k), &b, at(2, 3, 30.0 * k));
@@ -230,9 +224,8 @@ static void test_coincident_circles(void **state)
     assert_near(s.distance, -1e-5, 1e-11);
 }
 
-static void test_box_and_circle(void **state)
+TEST(test_box_and_circle)
 {
-    (void)state;
     wfShape b = box(2, 1), c = circle(0, 0, 0.5);
     static const struct { double x, y, distance, nx, ny; } cases[] = {
         { 3, 0.5, 0.5, 1, 0 },   { -3, 0.5, 0.5, -1, 0 },  { 0.5, 2, 0.5, 0, 1 },  { 0.5, -2, 0.5, 0, -1 },
@@ -257,9 +250,8 @@ static void test_box_and_circle(void **state)
         }
 }
 
-static void test_polygon_and_circle(void **state)
+TEST(test_polygon_and_circle)
 {
-    (void)state;
     wfRandom r = random_stream(5);
     for (int i = 0; i < 4000; i++) {
         wfShape p = random_polygon(&r), c = circle(0.25, -0.5, (double)wfRandomReal(&r, WF_R(0.05), 1));
@@ -277,9 +269,8 @@ static void test_polygon_and_circle(void **state)
     }
 }
 
-static void test_boxes_by_hand(void **state)
+TEST(test_boxes_by_hand)
 {
-    (void)state;
     wfShape a = box(2, 1), b = box(1, 1);
     static const struct { double x, y, distance, nx, ny; } cases[] = {
         { 2.75, 0.25, -0.25, 1, 0 }, { -2.75, 0.25, -0.25, -1, 0 }, { 0.5, 1.75, -0.25, 0, 1 },
@@ -310,9 +301,8 @@ static void test_boxes_by_hand(void **state)
 }
 
 /* The false overlap of the report's figure 5.6: on both axes of A the shadows overlap, on one of B's they do not. */
-static void test_false_overlap(void **state)
+TEST(test_false_overlap)
 {
-    (void)state;
     wfShape b = box(1, 1);
     wfTransform xa = at(0, 0, 0), xb = at(1.9, 1.9, 45);
     assert_true(wfAxisOverlap(&b, xa, &b, xb, wfV2(1, 0)) > 0);
@@ -326,9 +316,8 @@ static void test_false_overlap(void **state)
     assert_int_equal(s.owner, 1);
 }
 
-static void test_random_polygons(void **state)
+TEST(test_random_polygons)
 {
-    (void)state;
     wfRandom r = random_stream(6);
     int overlaps = 0, apart = 0;
     for (int i = 0; i < 4000; i++) {
@@ -363,9 +352,8 @@ static void test_random_polygons(void **state)
 
 /* No direction at all does better than the edges' normals. One step of the fan is 0.05 degrees; between two steps the
    gap changes by at most the reach of both shapes (below 8 m) times half a step. */
-static void test_no_direction_is_better(void **state)
+TEST(test_no_direction_is_better)
 {
-    (void)state;
     wfRandom r = random_stream(7);
     for (int i = 0; i < 60; i++) {
         wfShape a = random_polygon(&r), b = random_polygon(&r);
@@ -380,9 +368,8 @@ static void test_no_direction_is_better(void **state)
 
 /* Swapping the bodies turns the normal round. Where several edges are as good as each other within the tie, another one
    may be chosen, and then only the distance is compared. */
-static void test_swap(void **state)
+TEST(test_swap)
 {
-    (void)state;
     wfRandom r = random_stream(8);
     int compared = 0;
     for (int i = 0; i < 3000; i++) {
@@ -400,9 +387,8 @@ static void test_swap(void **state)
 }
 
 /* A rigid motion of both shapes moves the answer with them. */
-static void test_rigid_motion(void **state)
+TEST(test_rigid_motion)
 {
-    (void)state;
     wfRandom r = random_stream(9);
     for (int i = 0; i < 3000; i++) {
         wfShape a = i % 3 ? random_polygon(&r) : circle(0.5, 0.25, 1), b = i % 5 ? random_polygon(&r) : circle(-0.5, 0, 0.5);
@@ -416,9 +402,8 @@ static void test_rigid_motion(void **state)
 
 /* Far from the origin nothing changes at all, as long as the positions themselves are exact there: 1/1024 m is the
    step between floats just below 16384 m. */
-static void test_far_from_the_origin(void **state)
+TEST(test_far_from_the_origin)
 {
-    (void)state;
     wfRandom r = random_stream(10);
     for (int i = 0; i < 1000; i++) {
         wfShape a = i % 4 ? random_polygon(&r) : circle(0.5, 0.25, 1), b = i % 7 ? random_polygon(&r) : circle(0, 0, 0.5);
@@ -434,9 +419,8 @@ static void test_far_from_the_origin(void **state)
 }
 
 /* Ties: the first edge of A wins, and rounding noise does not turn it over. */
-static void test_ties(void **state)
+TEST(test_ties)
 {
-    (void)state;
     wfShape b = box(1, 1), c = circle(0, 0, 0.25);
     wfRandom r = random_stream(11);
     wfSeparation first = sat(&b, at(0, 0, 0), &b, at(0, 0, 0));
@@ -485,9 +469,8 @@ static void found(wfSeparation s, double distance, double nx, double ny, int own
 }
 
 /* What a contact is built from: whose edge, and which; nobody's for two corners, and for the end of a segment. */
-static void test_edges_of_cores(void **state)
+TEST(test_edges_of_cores)
 {
-    (void)state;
     wfShape b = rounded_box(2, 1, 0.5), c = capsule(-1, 0, 1, 0, 0.25), d = circle(0, 0, 0.5), g = segment(1, 0, -1, 0), sharp = box(1, 1);
     found(sat(&b, at(0, 0, 0), &c, at(0, 1.65, 0)), -0.1, 0, 1, 0, 2);             /* side on top: A's edge, as both are as good */
     found(sat(&c, at(0, 1.65, 0), &b, at(0, 0, 0)), -0.1, 0, -1, 0, 0);
@@ -529,9 +512,8 @@ static void test_edges_of_cores(void **state)
     assert_true(s.owner == 1 && s.edge == 2);
 }
 
-static void test_projections_of_coats(void **state)
+TEST(test_projections_of_coats)
 {
-    (void)state;
     wfShape c = capsule(-1, 0, 1, 0, 0.25), b = rounded_box(3, 4, 2), g = segment(0, 0, 0, 6), n = { .kind = WF_SHAPE_NONE };
     wfProjection p = wfProject(&c, at(2, 3, 90), wfV2(0, 1));
     assert_near(p.min, 1.75, ROUNDING);
@@ -546,9 +528,8 @@ static void test_projections_of_coats(void **state)
 }
 
 /* Bodies that are apart by less than the tie are still apart. */
-static void test_small_gap(void **state)
+TEST(test_small_gap)
 {
-    (void)state;
     wfShape b = box(1, 1);
     for (int k = 0; k < 4; k++) {
         wfTransform xa = at(0, 0, 90.0 * k);
@@ -560,9 +541,8 @@ static void test_small_gap(void **state)
 }
 
 /* A pebble of 1 mm and a slab of 1 km, and both scaled to extremes: the answer scales along. */
-static void test_scales(void **state)
+TEST(test_scales)
 {
-    (void)state;
     wfShape slab = box(500, 1), pebble = box(0.001, 0.001);
     wfSeparation s = sat(&slab, at(0, 0, 0), &pebble, at(3, 1.0009, 0));
     assert_near2(s.normal, wfV2(0, 1), ROUNDING);
@@ -580,9 +560,8 @@ static void test_scales(void **state)
     }
 }
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfShape shapes[2] = { box(1, 1), circle(0, 0, 1) }, none = { 0 };
     none.kind = WF_SHAPE_NONE;
     for (int row = 0; row < wfNarrowPhaseCount; row++) {
@@ -624,9 +603,8 @@ static void test_bad_input(void **state)
 }
 
 /* found by the fuzzer: a centre on a corner was a hair outside of the edge, and the normal NaN */
-static void a_circle_centred_on_a_corner_has_a_normal(void **state)
+TEST(a_circle_centred_on_a_corner_has_a_normal)
 {
-    (void)state;
     wfRandom r = random_stream(1212);
     for (int round = 0; round < 5000; round++) {
         wfShape p = random_polygon(&r), c;
@@ -651,9 +629,8 @@ static void a_circle_centred_on_a_corner_has_a_normal(void **state)
 }
 
 /* found by the fuzzer: a distance that wfLength cuts off at the greatest real gave a normal that is no unit */
-static void a_distance_that_overflows_is_refused(void **state)
+TEST(a_distance_that_overflows_is_refused)
 {
-    (void)state;
     wfShape shapes[2];
     assert_ok(wfMakeCircle(wfV2(WF_R(0.5), 0), 1, &shapes[0]));
     assert_ok(wfMakeBox(1, 1, &shapes[1]));
@@ -671,20 +648,4 @@ static void a_distance_that_overflows_is_refused(void **state)
                     assert_near(wfLength(d.normal), 1, 1e-5);
                 else assert_true(d.distance == 77);
             }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_names), cmocka_unit_test(test_projection), cmocka_unit_test(test_overlap_and_escape),
-        cmocka_unit_test(test_relative_pose), cmocka_unit_test(test_circles), cmocka_unit_test(test_coincident_circles),
-        cmocka_unit_test(test_box_and_circle), cmocka_unit_test(test_polygon_and_circle),
-        cmocka_unit_test(test_boxes_by_hand), cmocka_unit_test(test_false_overlap), cmocka_unit_test(test_random_polygons),
-        cmocka_unit_test(test_no_direction_is_better), cmocka_unit_test(test_swap), cmocka_unit_test(test_rigid_motion),
-        cmocka_unit_test(test_far_from_the_origin), cmocka_unit_test(test_ties), cmocka_unit_test(test_small_gap),
-        cmocka_unit_test(test_scales), cmocka_unit_test(test_edges_of_cores), cmocka_unit_test(test_projections_of_coats), cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(a_circle_centred_on_a_corner_has_a_normal),
-        cmocka_unit_test(a_distance_that_overflows_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -133,9 +133,8 @@ static void check(const wfShape *a, const wfShape *b, I dx, I dy, Tally *tally)
 
 /* Every pair of segments with ends on a grid of 4 by 4: crossing, touching, collinear, parallel, equal, turned round. Bare, and
    with coats of one half each, which touch where the cores are 1 m apart. */
-static void every_pair_of_segments(void **state)
+TEST(every_pair_of_segments)
 {
-    (void)state;
     wfShape bare[240], coat[240];
     int n = 0;
     for (int p = 0; p < 16; p++)
@@ -169,9 +168,8 @@ static wfShape lattice_shape(wfRandom *r)
     } while (1);
 }
 
-static void pairs_of_every_kind(void **state)
+TEST(pairs_of_every_kind)
 {
-    (void)state;
     wfRandom r = random_stream(121);
     Tally t = { 0 };
     for (int i = 0; i < 60000; i++) {
@@ -180,10 +178,4 @@ static void pairs_of_every_kind(void **state)
     }
     print_message("apart %d, touching %d, coats %d, cores %d\n", t.apart, t.touching, t.coats, t.cores);
     assert_true(t.apart > 10000 && t.touching > 600 && t.coats > 5000 && t.cores > 5000);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(every_pair_of_segments), cmocka_unit_test(pairs_of_every_kind) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

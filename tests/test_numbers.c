@@ -25,9 +25,8 @@ enum { DOUBLE = 0 };
 #endif
 
 /* ---------------------------------------------------------------------------------------------- one real number */
-static void test_helpers_of_one_real(void **state)
+TEST(test_helpers_of_one_real)
 {
-    (void)state;
     assert_true(wfAbs(-2) == 2 && wfAbs(3) == 3 && wfAbs(0) == 0);
     assert_true(wfMinR(1, 2) == 1 && wfMinR(2, 1) == 1 && wfMinR(-1, 1) == -1);
     assert_true(wfMaxR(1, 2) == 2 && wfMaxR(2, 1) == 2 && wfMaxR(-1, 1) == 1);
@@ -47,9 +46,8 @@ static void test_helpers_of_one_real(void **state)
     assert_ulps(WF_PI, 3.14159265358979323846, 0.5, 2);         /* rounded once; numbers in [2,4) lie 2 eps apart */
 }
 
-static void test_floor(void **state)
+TEST(test_floor)
 {
-    (void)state;
     wfRandom r = random_stream(1);
     for (int k = 0; k < RUNS; k++) {
         wfReal a = random_wide(&r, 70);
@@ -63,9 +61,8 @@ static void test_floor(void **state)
     assert_false(wfIsFinite(wfFloor(BAD_REALS[1])));
 }
 
-static void test_square_root(void **state)
+TEST(test_square_root)
 {
-    (void)state;
     wfRandom r = random_stream(2);
     for (int k = 0; k < RUNS; k++) {
         wfReal a = wfAbs(random_wide(&r, 100));
@@ -76,9 +73,8 @@ static void test_square_root(void **state)
 }
 
 /* a*b - a*b is zero only if no compiler fused one of the two products with the subtraction. */
-static void test_products_are_rounded(void **state)
+TEST(test_products_are_rounded)
 {
-    (void)state;
     wfRandom r = random_stream(3);
     for (int k = 0; k < RUNS; k++) {
         wfVec2 v = wfV2(random_wide(&r, 10), random_wide(&r, 10));
@@ -103,9 +99,8 @@ static void check_sine_cosine(wfReal x)
     assert_true(wfAbs(s) <= 1 && wfAbs(c) <= 1);
 }
 
-static void test_sine_cosine_dense(void **state)
+TEST(test_sine_cosine_dense)
 {
-    (void)state;
     wfRandom r = random_stream(4);
     for (int k = -400000; k <= 400000; k++) check_sine_cosine((wfReal)k * WF_R(2e-5));          /* -8 .. 8 */
     for (int k = 0; k < 400000; k++) check_sine_cosine(wfRandomReal(&r, -WF_MAX_ANGLE, WF_MAX_ANGLE));
@@ -116,9 +111,8 @@ static void test_sine_cosine_dense(void **state)
 }
 
 /* The worst angles are those next to a multiple of pi/2, where the reduction cancels nearly everything. */
-static void test_sine_cosine_near_the_axes(void **state)
+TEST(test_sine_cosine_near_the_axes)
 {
-    (void)state;
     for (int n = -636000; n <= 636000; n += 7) {
         wfReal x = (wfReal)(n * 1.5707963267948966);
         for (int k = 0; k < 3; k++) {
@@ -128,9 +122,8 @@ static void test_sine_cosine_near_the_axes(void **state)
     }
 }
 
-static void test_sine_cosine_symmetries(void **state)
+TEST(test_sine_cosine_symmetries)
 {
-    (void)state;
     wfRandom r = random_stream(5);
     wfReal s, c;
     for (int k = 0; k < RUNS; k++) {
@@ -143,9 +136,8 @@ static void test_sine_cosine_symmetries(void **state)
     }
 }
 
-static void test_sine_cosine_of_degrees(void **state)
+TEST(test_sine_cosine_of_degrees)
 {
-    (void)state;
     wfReal s, c;
     static const int quarter[4][2] = { { 0, 1 }, { 1, 0 }, { 0, -1 }, { -1, 0 } };
     for (int k = -4000; k <= 4000; k++) {
@@ -162,9 +154,8 @@ static void test_sine_cosine_of_degrees(void **state)
     assert_ulps(s, 0.5, 1, 0.5);
 }
 
-static void test_angles_that_are_none(void **state)
+TEST(test_angles_that_are_none)
 {
-    (void)state;
     wfReal s, c;
     wfReal bad[] = { BAD_REALS[0], BAD_REALS[1], BAD_REALS[2], WF_R(1000001.0), WF_R(-1000001.0), WF_HUGE, -WF_HUGE };
     for (int i = 0; i < 7; i++) {
@@ -177,9 +168,8 @@ static void test_angles_that_are_none(void **state)
     }
 }
 
-static void test_wrap_angle(void **state)
+TEST(test_wrap_angle)
 {
-    (void)state;
     wfRandom r = random_stream(6);
     for (int k = 0; k < RUNS; k++) {
         wfReal x = wfRandomReal(&r, -1000000, 1000000), w = wfWrapAngle(x);
@@ -201,9 +191,8 @@ static void check_atan2(wfReal y, wfReal x)
         fail_msg("atan2(%.9g, %.9g) off by %.5f units of the last place", (double)y, (double)x, off);
 }
 
-static void test_arc_tangent(void **state)
+TEST(test_arc_tangent)
 {
-    (void)state;
     wfRandom r = random_stream(7);
     for (int k = 0; k < 300000; k++) {
         check_atan2(wfRandomReal(&r, -1, 1), wfRandomReal(&r, -1, 1));
@@ -220,9 +209,8 @@ static void test_arc_tangent(void **state)
     check_atan2(tiny, tiny);  check_atan2(tiny, -tiny);  check_atan2(tiny, 1);  check_atan2(-tiny, -1);
 }
 
-static void test_arc_tangent_of_what_is_no_number(void **state)
+TEST(test_arc_tangent_of_what_is_no_number)
 {
-    (void)state;
     wfReal nan = BAD_REALS[0], inf = BAD_REALS[1];
     assert_true(wfAtan2(nan, 1) == 0 && wfAtan2(nan, nan) == 0);
     assert_true(wfAtan2(1, nan) == wfAtan2(1, 0));               /* a NaN counts as zero */
@@ -233,9 +221,8 @@ static void test_arc_tangent_of_what_is_no_number(void **state)
     assert_true(wfExp(nan) == 1 && wfExp(inf) == WF_HUGE && wfExp(-inf) == 0);
 }
 
-static void test_arc_cosine(void **state)
+TEST(test_arc_cosine)
 {
-    (void)state;
     wfRandom r = random_stream(8);
     for (int k = 0; k < 100000; k++) {               /* eq:numbers-acos: 2 eps, in double 4 eps */
         wfReal a = wfRandomReal(&r, -1, 1), b = 1 - wfSquare(wfSquare(a));
@@ -246,9 +233,8 @@ static void test_arc_cosine(void **state)
     assert_ulps(wfArcCos(WF_R(0.5)), 1.0471975511965979, 2, 1);
 }
 
-static void test_exponential(void **state)
+TEST(test_exponential)
 {
-    (void)state;
     wfRandom r = random_stream(9);
     for (int k = 0; k < 300000; k++) {
         wfReal x = k & 1 ? wfRandomReal(&r, -87, 88) : wfRandomReal(&r, -2, 2);
@@ -265,9 +251,8 @@ static void test_exponential(void **state)
 }
 
 /* ------------------------------------------------------------------------------------------------------ vectors */
-static void test_vectors_by_hand(void **state)
+TEST(test_vectors_by_hand)
 {
-    (void)state;
     wfVec2 a = wfV2(3, 4), b = wfV2(-2, 5);
     assert_true(a.x == 3 && a.y == 4 && a.X == 3 && a.Y == 4 && a.E[0] == 3 && a.E[1] == 4);
     assert_near2(wfAdd(a, b), wfV2(1, 9), 0);
@@ -294,9 +279,8 @@ static void test_vectors_by_hand(void **state)
 
 /* Numbers in [-8,8]; a product is below 64, a sum of two below 128; three roundings of those: 1.5 * 128 = 192 eps
    on each side at the very most. Scales below are computed from the actual numbers, which is much tighter. */
-static void test_products_of_vectors(void **state)
+TEST(test_products_of_vectors)
 {
-    (void)state;
     wfRandom r = random_stream(10);
     for (int k = 0; k < RUNS; k++) {
         wfVec2 a = random_v2(&r, -8, 8), b = random_v2(&r, -8, 8), c = random_v2(&r, -8, 8);
@@ -323,9 +307,8 @@ static void test_products_of_vectors(void **state)
     }
 }
 
-static void test_lerp_and_distance(void **state)
+TEST(test_lerp_and_distance)
 {
-    (void)state;
     wfRandom r = random_stream(11);
     for (int k = 0; k < RUNS; k++) {
         wfVec2 a = random_v2(&r, -8, 8), b = random_v2(&r, -8, 8);
@@ -341,9 +324,8 @@ static void test_lerp_and_distance(void **state)
 
 /* length: each square, the sum and the root round once: (1/2 + 1/2)/2 + 1/2 = 1 eps; the division by the
    largest component on the careful way adds another */
-static void test_length_and_direction_at_every_size(void **state)
+TEST(test_length_and_direction_at_every_size)
 {
-    (void)state;
     int bits = DOUBLE ? 1000 : 120;
     wfRandom r = random_stream(12);
     for (int k = 0; k < RUNS; k++) {
@@ -358,9 +340,8 @@ static void test_length_and_direction_at_every_size(void **state)
     }
 }
 
-static void test_length_and_direction_at_the_extremes(void **state)
+TEST(test_length_and_direction_at_the_extremes)
 {
-    (void)state;
     wfReal h = WF_HUGE, tiny = 16 * WF_EPSILON / WF_HUGE;
     assert_true(tiny > 0);
     wfReal root_half = WF_R(0.70710678118654752440);
@@ -381,9 +362,8 @@ static void test_length_and_direction_at_the_extremes(void **state)
     assert_true(wfLength(wfV2(1, BAD_REALS[2])) > h);            /* infinite, not NaN */
 }
 
-static void test_vectors_of_three(void **state)
+TEST(test_vectors_of_three)
 {
-    (void)state;
     wfVec3 a = wfV3(1, -2, 3), b = wfV3(4, 5, -6);
     assert_true(a.x == 1 && a.Y == -2 && a.E[2] == 3 && a.z == 3);
     wfVec3 sum = wfAdd3(a, b), diff = wfSub3(a, b), from = wfFromTo3(a, b), neg = wfNeg3(a), two = wfScale3(2, a);
@@ -417,9 +397,8 @@ static void test_vectors_of_three(void **state)
     assert_true(zero.x == 0 && zero.y == 0 && zero.z == 0 && bad.x == 0 && bad.y == 0 && bad.z == 0);
 }
 
-static void test_vectors_of_four(void **state)
+TEST(test_vectors_of_four)
 {
-    (void)state;
     wfVec4 a = wfV4(1, -2, 3, 5), b = wfV4(4, 5, -6, 7);
     assert_true(a.x == 1 && a.Y == -2 && a.E[2] == 3 && a.w == 5 && a.W == 5 && a.E[3] == 5);
     wfVec4 sum = wfAdd4(a, b), diff = wfSub4(a, b), from = wfFromTo4(a, b), neg = wfNeg4(a), two = wfScale4(2, a);
@@ -467,9 +446,8 @@ static void same23(wfMat23 a, wfMat23 b, double tolerance)
     for (int i = 0; i < 6; i++) assert_near(a.E[i], b.E[i], tolerance);
 }
 
-static void test_matrices_by_hand(void **state)
+TEST(test_matrices_by_hand)
 {
-    (void)state;
     wfMat22 a = wfMat22Make(1, 2, 3, 4), b = wfMat22Make(5, 6, 7, 8);
     assert_true(a.E11 == 1 && a.E12 == 2 && a.E21 == 3 && a.E22 == 4 && a.E[2] == 3);
     assert_near2(wfMat22MulV(a, wfV2(5, 6)), wfV2(17, 39), 0);          /* a row times a column */
@@ -495,9 +473,8 @@ static void test_matrices_by_hand(void **state)
 }
 
 /* entries below 2: an entry of a product of two is below 8, of three below 32; four roundings a product */
-static void test_laws_of_matrices(void **state)
+TEST(test_laws_of_matrices)
 {
-    (void)state;
     double eps = (double)WF_EPSILON;
     wfRandom r = random_stream(14);
     for (int k = 0; k < RUNS; k++) {
@@ -518,9 +495,8 @@ static void test_laws_of_matrices(void **state)
 }
 
 /* A computed inverse X of A satisfies A X = 1 to a few eps times |A| |X|, its condition number. */
-static void test_inverses(void **state)
+TEST(test_inverses)
 {
-    (void)state;
     wfRandom r = random_stream(15);
     for (int k = 0; k < RUNS; k++) {
         wfMat22 a = random_m22(&r);
@@ -543,9 +519,8 @@ static void test_inverses(void **state)
     }
 }
 
-static void test_matrices_without_inverse(void **state)
+TEST(test_matrices_without_inverse)
 {
-    (void)state;
     wfMat22 zero = { { 0, 0, 0, 0 } };
     same22(wfMat22Inverse(zero), zero, 0);
     same22(wfMat22Inverse(wfMat22Make(1, 2, 2, 4)), zero, 0);
@@ -563,9 +538,8 @@ static void test_matrices_without_inverse(void **state)
 }
 
 /* --------------------------------------------------------------------------------------- rotations and transforms */
-static void test_rotation_turns_left(void **state)
+TEST(test_rotation_turns_left)
 {
-    (void)state;
     wfVec2 x = wfV2(1, 0);
     assert_near2(wfMat22MulV(wfMat22RotationDeg(90), x), wfV2(0, 1), 0);
     assert_near2(wfMat23MulV(wfMat23RotationDeg(90), x), wfV2(0, 1), 0);
@@ -582,9 +556,8 @@ static void test_rotation_turns_left(void **state)
 }
 
 /* c and s err by eps/4 each, products and sums by eps/2 of numbers up to |v| */
-static void test_laws_of_rotations(void **state)
+TEST(test_laws_of_rotations)
 {
-    (void)state;
     wfRandom r = random_stream(16);
     for (int k = 0; k < RUNS; k++) {
         wfReal alpha = random_angle(&r), beta = random_angle(&r);
@@ -609,9 +582,8 @@ static void test_laws_of_rotations(void **state)
     assert_true(wfRotNormalize((wfRot){ -5, 0 }).c == -1 && wfRotNormalize((wfRot){ -5, 0 }).s == 0);
 }
 
-static void test_laws_of_transforms(void **state)
+TEST(test_laws_of_transforms)
 {
-    (void)state;
     wfRandom r = random_stream(17);
     for (int k = 0; k < RUNS; k++) {
         wfTransform a = random_transform(&r, 4), b = random_transform(&r, 4), ab = wfTransformMul(a, b);
@@ -638,9 +610,8 @@ static void same_rect(wfRect r, wfReal x0, wfReal y0, wfReal x1, wfReal y1)
     assert_near2(r.max, wfV2(x1, y1), 0);
 }
 
-static void test_rectangles(void **state)
+TEST(test_rectangles)
 {
-    (void)state;
     wfRect r = wfRectMinMax(wfV2(1, 2), wfV2(5, 8));
     same_rect(r, 1, 2, 5, 8);
     same_rect(wfRectMinMax(wfV2(5, 2), wfV2(1, 8)), 1, 2, 5, 8);         /* any two opposite corners */
@@ -667,9 +638,8 @@ static void test_rectangles(void **state)
 }
 
 /* Two rectangles against brute force: on a grid of whole numbers they overlap if some grid point is in both. */
-static void test_rectangles_by_counting(void **state)
+TEST(test_rectangles_by_counting)
 {
-    (void)state;
     wfRandom rnd = random_stream(18);
     for (int k = 0; k < 5000; k++) {
         wfVec2 c[4];
@@ -694,9 +664,8 @@ static void test_rectangles_by_counting(void **state)
     }
 }
 
-static void test_circles(void **state)
+TEST(test_circles)
 {
-    (void)state;
     wfCircle2 c = wfCircleCenterRadius(wfV2(1, 2), 5), d = wfCircleCenterDiameter(wfV2(1, 2), 10);
     assert_true(c.center.x == 1 && c.center.y == 2 && c.radius == 5 && d.radius == 5 && d.center.y == 2);
     assert_near2(wfCircleCenter(c), wfV2(1, 2), 0);
@@ -713,9 +682,8 @@ static void test_circles(void **state)
 }
 
 /* ------------------------------------------------------------------------------------------------ random numbers */
-static void test_random_is_pcg32(void **state)
+TEST(test_random_is_pcg32)
 {
-    (void)state;
     /* the stream of the reference implementation's demonstration: seed 42, sequence 54 */
     static const uint32_t published[6] = { 0xa15c02b7, 0x7b47f409, 0xba1d3330, 0x83d2f293, 0xbfa4784b, 0xcbed606e };
     wfRandom r = { 0, (54u << 1) | 1 };
@@ -734,9 +702,8 @@ static void test_random_is_pcg32(void **state)
 }
 
 /* Counts of n = 200,000 fair draws in one of 10 boxes: mean 20,000, standard deviation 134; five of them is 670. */
-static void test_random_is_even(void **state)
+TEST(test_random_is_even)
 {
-    (void)state;
     wfRandom r = random_stream(19);
     int below[10] = { 0 }, real[10] = { 0 };
     double sum = 0;
@@ -765,61 +732,17 @@ static void test_random_is_even(void **state)
 }
 
 /* 3 * 2^30 boxes do not divide 2^32: with a bare % the low third would come up twice as often. */
-static void test_random_below_is_unbiased(void **state)
+TEST(test_random_below_is_unbiased)
 {
-    (void)state;
     wfRandom r = random_stream(20);
     int low = 0;
     for (int k = 0; k < 30000; k++) low += wfRandomBelow(&r, 0xC0000000u) < 0x40000000u;
     assert_in_range(low, 9590, 10410);               /* a third, five standard deviations of 82 */
 }
 
-static void test_hash_of_a_real(void **state)
+TEST(test_hash_of_a_real)
 {
-    (void)state;
     if (DOUBLE) assert_true(wfHashReal(WF_HASH_SEED, 1) == wfHashU64(WF_HASH_SEED, 0x3ff0000000000000u));
     else assert_true(wfHashReal(WF_HASH_SEED, 1) == wfHashU32(WF_HASH_SEED, 0x3f800000u));
     assert_true(wfHashReal(1, 1) != wfHashReal(1, 1 + WF_EPSILON));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_helpers_of_one_real),
-        cmocka_unit_test(test_floor),
-        cmocka_unit_test(test_square_root),
-        cmocka_unit_test(test_products_are_rounded),
-        cmocka_unit_test(test_sine_cosine_dense),
-        cmocka_unit_test(test_sine_cosine_near_the_axes),
-        cmocka_unit_test(test_sine_cosine_symmetries),
-        cmocka_unit_test(test_sine_cosine_of_degrees),
-        cmocka_unit_test(test_angles_that_are_none),
-        cmocka_unit_test(test_wrap_angle),
-        cmocka_unit_test(test_arc_tangent),
-        cmocka_unit_test(test_arc_tangent_of_what_is_no_number),
-        cmocka_unit_test(test_arc_cosine),
-        cmocka_unit_test(test_exponential),
-        cmocka_unit_test(test_vectors_by_hand),
-        cmocka_unit_test(test_products_of_vectors),
-        cmocka_unit_test(test_lerp_and_distance),
-        cmocka_unit_test(test_length_and_direction_at_every_size),
-        cmocka_unit_test(test_length_and_direction_at_the_extremes),
-        cmocka_unit_test(test_vectors_of_three),
-        cmocka_unit_test(test_vectors_of_four),
-        cmocka_unit_test(test_matrices_by_hand),
-        cmocka_unit_test(test_laws_of_matrices),
-        cmocka_unit_test(test_inverses),
-        cmocka_unit_test(test_matrices_without_inverse),
-        cmocka_unit_test(test_rotation_turns_left),
-        cmocka_unit_test(test_laws_of_rotations),
-        cmocka_unit_test(test_laws_of_transforms),
-        cmocka_unit_test(test_rectangles),
-        cmocka_unit_test(test_rectangles_by_counting),
-        cmocka_unit_test(test_circles),
-        cmocka_unit_test(test_random_is_pcg32),
-        cmocka_unit_test(test_random_is_even),
-        cmocka_unit_test(test_random_below_is_unbiased),
-        cmocka_unit_test(test_hash_of_a_real),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

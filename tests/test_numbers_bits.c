@@ -18,9 +18,8 @@ static void check_hash(uint64_t got, uint64_t want)
     if (got != want) fail_msg("hash 0x%016llxu, want 0x%016llxu", (unsigned long long)got, (unsigned long long)want);
 }
 
-static void test_elementary_functions(void **state)
+TEST(test_elementary_functions)
 {
-    (void)state;
     wfRandom r = random_stream(100);
     uint64_t h = WF_HASH_SEED;
     for (int k = 0; k < 20000; k++) {
@@ -36,9 +35,8 @@ static void test_elementary_functions(void **state)
     check_hash(h, WANT_ELEMENTARY);
 }
 
-static void test_algebra(void **state)
+TEST(test_algebra)
 {
-    (void)state;
     wfRandom r = random_stream(101);
     uint64_t h = WF_HASH_SEED;
     for (int k = 0; k < 20000; k++) {
@@ -54,13 +52,4 @@ static void test_algebra(void **state)
         h = hash2(h, wfV2(wfLength(wfScale(random_wide(&r, 100), a)), wfRotAngle(wfRotNormalize(u.q))));
     }
     check_hash(h, WANT_ALGEBRA);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_elementary_functions),
-        cmocka_unit_test(test_algebra),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,17 +2,10 @@
 #define WF_MATH_HEADER "own_math.h"
 #include "testing.h"
 
-static void test_own_header_is_used(void **state)
+TEST(test_own_header_is_used)
 {
-    (void)state;
     assert_int_equal(own_math_calls, 0);
     assert_true(wfSqrt(9) == 3);
     assert_int_equal(own_math_calls, 1);
     assert_true(wfLength(wfV2(3, 4)) == 5);          /* the rest is Weft's */
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(test_own_header_is_used) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -14,9 +14,8 @@ static wfWorld made(const labLoad *load)
     return world;
 }
 
-static void counts(void **unused)
+TEST(counts)
 {
-    (void)unused;
     const int32_t bodies[LAB_LOADS] = { 5003, 5051, 10000 }, joints[LAB_LOADS] = { 0, 0, 19800 };
     const int32_t fixed[LAB_LOADS] = { 3, 1, 7 };
     for (int i = 0; i < LAB_LOADS; i++) {
@@ -39,9 +38,8 @@ static void counts(void **unused)
 }
 
 /* Masses by area and density 1; places by the text; every hinge is closed where it is built. */
-static void places(void **unused)
+TEST(places)
 {
-    (void)unused;
     const double pi = 3.14159265358979, mass[LAB_LOADS] = { pi / 4, 1, pi * 0.16 };
     for (int i = 0; i < LAB_LOADS; i++) {
         wfWorld world = made(&labLoads[i]);
@@ -63,9 +61,8 @@ static void places(void **unused)
 }
 
 /* Rows of n, n - 1, ... boxes: n on the floor, two under each of the n (n - 1) / 2 others, and n (n - 1) / 2 neighbours. */
-static void contacts_of_a_pyramid(void **unused)
+TEST(contacts_of_a_pyramid)
 {
-    (void)unused;
     for (int32_t n = 1; n <= 12; n++) {
         wfWorldDef def = labLoadDef(&labLoads[1]);
         wfWorld world;
@@ -81,16 +78,14 @@ static void contacts_of_a_pyramid(void **unused)
     }
 }
 
-static void what_moves_is_small(void **unused)
+TEST(what_moves_is_small)
 {
-    (void)unused;
     assert_in_range(sizeof(wfBodyState), 1, 8 * sizeof(wfReal));
 }
 
 /* Every scene for other engines is as large as its row says, names differ, and it can be stepped. */
-static void heavies(void **unused)
+TEST(heavies)
 {
-    (void)unused;
     assert_true(labHeavyCount >= 13);
     for (int32_t i = 0; i < labHeavyCount; i++) {
         const labHeavy *h = &labHeavies[i];
@@ -113,9 +108,8 @@ static void heavies(void **unused)
 }
 
 /* The junkyard: its bodies, tiles and pusher, and where the pusher is after some steps. */
-static void steered(void **unused)
+TEST(steered)
 {
-    (void)unused;
     const labSteered *scene = &labSteereds[0];
     wfWorld world;
     wfBodyId pusher;
@@ -138,9 +132,8 @@ static void steered(void **unused)
 
 /* The rain: a column of ragdolls after the first step; every bone hangs where it should; and when the columns come round again,
    as many bodies and joints as before. */
-static void raining(void **unused)
+TEST(raining)
 {
-    (void)unused;
     const labSteered *scene = &labSteereds[1];
     wfWorld world;
     wfBodyId ground;
@@ -160,9 +153,8 @@ static void raining(void **unused)
 }
 
 /* The spinner: what is in it, nobody outside at the start, and the bar turns as its motor wants. */
-static void spinning(void **unused)
+TEST(spinning)
 {
-    (void)unused;
     const labSteered *scene = &labSteereds[2];
     wfWorld world;
     wfBodyId bar;
@@ -176,14 +168,4 @@ static void spinning(void **unused)
     assert_int_equal(wfStepWorld(&world), WF_OK);
     assert_near(v.state[wfBodyIndex(&world, bar)].w, 5, 0.05);
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(counts), cmocka_unit_test(heavies), cmocka_unit_test(places), cmocka_unit_test(contacts_of_a_pyramid),
-        cmocka_unit_test(what_moves_is_small), cmocka_unit_test(steered),
-        cmocka_unit_test(raining), cmocka_unit_test(spinning),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
 /* Workers: whoever does the parts of a step, and in whatever order, the bits are those of the loop. */
+#define OWN_MAIN
 #include "testing.h"
 #include "world.h"
 #include "lab/loads.h"
@@ -65,10 +66,9 @@ static void assert_same(const wfWorld *twin, const wfWorld *plain, const char *n
                 fail_msg("%s, step %d, workers %d: contact %d differs", name, step, kind, (int)i);
 }
 
-static void every_scene_has_the_same_bits(void **unused)
+TEST(every_scene_has_the_same_bits)
 {
     enum { STEPS = 40 };
-    (void)unused;
     for (int s = 0; s < wfSceneCount(); s++) {
         const wfScene *scene = wfSceneAt(s);
         wfWorld plain, twin[KINDS];
@@ -121,9 +121,8 @@ static void step_heavy(const char *name, int before, int steps, const wfWorldDef
     wfDestroyWorld(&plain);
 }
 
-static void heavy_scenes_have_the_same_bits(void **unused)
+TEST(heavy_scenes_have_the_same_bits)
 {
-    (void)unused;
     const wfWorldDef usual = { .advanced.compensatedSums = 0 }, fine = { .advanced.compensatedSums = 1 }, tired = { .sleep = 1 };
     odd.parts = 0;
     step_heavy("heap-1000", 60, 6, &usual);
@@ -139,9 +138,8 @@ static void heavy_scenes_have_the_same_bits(void **unused)
 
 /* ---- errors, and what a handle keeps ---- */
 
-static void a_step_that_fails_has_the_same_error(void **unused)
+TEST(a_step_that_fails_has_the_same_error)
 {
-    (void)unused;
     const labHeavy *heavy = labFindHeavy("report-500");
     for (int32_t room = 100; room < 3000; room += 50) {
         wfWorldDef def = labHeavyDef(heavy);
@@ -172,9 +170,8 @@ static void meddling(void *user, int32_t parts, wfPartFn *work, void *context)
     backwards(user, parts, work, context);
 }
 
-static void workers_are_in_the_handle_alone(void **unused)
+TEST(workers_are_in_the_handle_alone)
 {
-    (void)unused;
     const labHeavy *heavy = labFindHeavy("report-500");
     wfWorldDef def = labHeavyDef(heavy);
     wfWorld world, same, grown;
@@ -210,9 +207,8 @@ typedef struct Count { int32_t done[1000]; } Count;
 
 static void count_part(void *context, int32_t part) { ((Count *)context)->done[part]++; }
 
-static void a_pool_does_every_part_once(void **unused)
+TEST(a_pool_does_every_part_once)
 {
-    (void)unused;
     assert_null(work_pool_open(0));
     assert_null(work_pool_open(1));
     assert_null(work_pool_lend(NULL).run);
@@ -229,16 +225,9 @@ static void a_pool_does_every_part_once(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_pool_does_every_part_once),
-        cmocka_unit_test(every_scene_has_the_same_bits),
-        cmocka_unit_test(heavy_scenes_have_the_same_bits),
-        cmocka_unit_test(a_step_that_fails_has_the_same_error),
-        cmocka_unit_test(workers_are_in_the_handle_alone),
-    };
     wfRandomSeed(&odd.random, 9);
     for (int k = 0; k < 3; k++) pool[k] = work_pool_open(threads[k]);
-    int failed = cmocka_run_group_tests(tests, NULL, NULL);
+    int failed = run_listed();
     for (int k = 0; k < 3; k++) work_pool_close(pool[k]);
     return failed;
 }

@@ -1,13 +1,6 @@
 /* Platform layers: the step clock, input scripts, options, and a layer that plays a toy game.
  * The toy game below takes the place of the testbed's: either side of the wall can be exchanged (FR of report 4.6). */
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <cmocka.h>
+#include "testing.h"
 #include "testbed/layer.h"
 
 /* ---- random numbers that depend on nothing (xorshift64*) ---- */
@@ -57,9 +50,8 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
 bool write_png(const char *path, const frame_buffer *buffer) { (void)path, (void)buffer; return false; }
 
 /* ---- the clock ---- */
-static void clock_counts_whole_steps_exactly(void **state)
+TEST(clock_counts_whole_steps_exactly)
 {
-    (void)state;
     /* Frames and steps are multiples of 2^-10 s below 2^6 s: every sum and quotient is exact in a double,
      * so eq:clock-steps must hold in integers, without tolerance. */
     const double unit = 1.0 / 1024;
@@ -79,9 +71,8 @@ static void clock_counts_whole_steps_exactly(void **state)
     }
 }
 
-static void clock_keeps_pace_with_rounding(void **state)
+TEST(clock_keeps_pace_with_rounding)
 {
-    (void)state;
     /* 1/60 s is not exact in binary. Each of the k additions rounds by at most 2^-53 of a sum below 9/60 s, so after
      * 20000 frames the rest is wrong by less than 20000 * 9/60 * 2^-53 < 1e-12 s: far less than a step. So the
      * total is off by at most the one step that sits just on the edge. */
@@ -102,9 +93,8 @@ static void clock_keeps_pace_with_rounding(void **state)
         assert_int_equal(step_clock_advance(&clock, dt, dt, 8), 1);
 }
 
-static void clock_refuses_nonsense(void **state)
+TEST(clock_refuses_nonsense)
 {
-    (void)state;
     const double inf = 1e308 * 10, nan = inf - inf;
     step_clock clock = { 0.01 };
     assert_int_equal(step_clock_advance(&clock, nan, 1.0 / 60, 8), 0);
@@ -132,9 +122,8 @@ static void clock_refuses_nonsense(void **state)
     assert_true(clock.left == 0);
 }
 
-static void a_slow_machine_spirals_without_a_bound(void **state)
+TEST(a_slow_machine_spirals_without_a_bound)
 {
-    (void)state;
     for (int bounded = 0; bounded < 2; bounded++)
         for (int slow = 0; slow < 2; slow++) {
             double cost = slow ? 1.5 : 0.5, frame = 6;          /* in steps of 1 s, after a hiccup of 6 */
@@ -161,9 +150,8 @@ static game_input read_one(const char *text)
     return in;
 }
 
-static void script_says_what_the_table_promises(void **state)
+TEST(script_says_what_the_table_promises)
 {
-    (void)state;
     game_input in = read_one("frame\n");
     assert_int_equal(in.steps, 1);
     assert_int_equal(in.held | in.pressed | in.released | (uint32_t)in.key_count, 0);
@@ -189,9 +177,8 @@ static void script_says_what_the_table_promises(void **state)
     assert_int_equal(read_one("# a remark: down left\n\r\nwait 1").held, 0);
 }
 
-static void moments_pass_and_states_stay(void **state)
+TEST(moments_pass_and_states_stay)
 {
-    (void)state;
     input_script s;
     game_input in;
     input_script_open(&s, "move 1 2\ndown left\nkey a\nwheel 1\nscene toy\nsteps 3\nwait 3\nup left\nframe\nkey b\n");
@@ -215,9 +202,8 @@ static void moments_pass_and_states_stay(void **state)
     assert_int_equal(input_script_next(&s, &in), 0);
 }
 
-static void broken_lines_are_named(void **state)
+TEST(broken_lines_are_named)
 {
-    (void)state;
     static const char *const broken[] = {
         "jump", "jump 3", "move", "move 1", "move 1 2 3", "move a b", "move nan 1", "move 1 inf", "move 1e9 0",
         "move 0 1e9", "move 1x 2", "down", "down up", "down left right", "up side", "click", "click 1", "key", "key pp",
@@ -249,9 +235,8 @@ static void broken_lines_are_named(void **state)
     assert_int_equal(s.line, 9);
 }
 
-static void random_bytes_never_crash_the_reader(void **state)
+TEST(random_bytes_never_crash_the_reader)
 {
-    (void)state;
     static const char *const words[] = { "move ", "down ", "left", "\n", " 1", " -2.5", "frame\n", "key ", "wait 3\n", "#", "\t" };
     for (int run = 0; run < 3000; run++) {
         char text[400];
@@ -314,9 +299,8 @@ static int same_input(const game_input *a, const game_input *b)
            strcmp(a->scene, b->scene) == 0;
 }
 
-static void what_is_written_is_read_back(void **state)
+TEST(what_is_written_is_read_back)
 {
-    (void)state;
     game_input last = { .steps = 1 };
     char text[1024];
     for (int run = 0; run < 10000; run++) {
@@ -363,9 +347,8 @@ static const char *options_of(layer_options *o, const char *line)
     return layer_read_options(argc, argv, o);
 }
 
-static void options_are_read_and_checked(void **state)
+TEST(options_are_read_and_checked)
 {
-    (void)state;
     layer_options o;
     assert_null(options_of(&o, ""));
     assert_true(!o.scene && !o.png && !o.input && !o.record && !o.log && !o.command && o.steps == -1 && o.scale == 1);
@@ -417,9 +400,8 @@ static int play(const layer_options *o, toy *end, uint32_t *pixels, int frames)
     return n;
 }
 
-static void a_recording_is_the_run(void **state)
+TEST(a_recording_is_the_run)
 {
-    (void)state;
     static uint32_t first[64 * 32], second[64 * 32];
     const char *script = put("in.txt", "scene toy\nmove 3 4\nclick left\nwait 5\ndown left\nmove 9 9\nsteps 2\nframe\nup left\nwait 3\n");
     const char *record = put("out.txt", NULL), *log = put("log.txt", NULL);
@@ -443,9 +425,8 @@ static void a_recording_is_the_run(void **state)
     remove(script), remove(record), remove(log);
 }
 
-static void a_layer_ends_and_complains(void **state)
+TEST(a_layer_ends_and_complains)
 {
-    (void)state;
     toy end;
     layer_options o = { .scene = "toy", .steps = 7, .scale = 1 };
     play(&o, &end, NULL, 1000);
@@ -488,17 +469,4 @@ static void a_layer_ends_and_complains(void **state)
     assert_false(layer_resize(&l, -1, 96));
     assert_true(l.buffer.width == 128 && l.buffer.pixels);
     layer_close(&l);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(clock_counts_whole_steps_exactly), cmocka_unit_test(clock_keeps_pace_with_rounding),
-        cmocka_unit_test(clock_refuses_nonsense), cmocka_unit_test(a_slow_machine_spirals_without_a_bound),
-        cmocka_unit_test(script_says_what_the_table_promises), cmocka_unit_test(moments_pass_and_states_stay),
-        cmocka_unit_test(broken_lines_are_named), cmocka_unit_test(random_bytes_never_crash_the_reader),
-        cmocka_unit_test(what_is_written_is_read_back), cmocka_unit_test(options_are_read_and_checked),
-        cmocka_unit_test(a_recording_is_the_run), cmocka_unit_test(a_layer_ends_and_complains)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -39,9 +39,8 @@ static const char *const rube =                            /* 40490fdb is pi, 3f
     "  \"joint\": [ { \"type\": \"distance\", \"bodyA\": 1, \"bodyB\": 2, \"anchorA\": 0, \"anchorB\": { \"x\": 0.5, \"y\": 0 },\n"
     "        \"length\": 2, \"frequency\": 1, \"dampingRatio\": 0.25 } ] }";
 
-static void a_scene_of_others_is_translated(void **unused)
+TEST(a_scene_of_others_is_translated)
 {
-    (void)unused;
     char *text = NULL;
     wfTextError e;
     if (wfTranslateRube(rube, strlen(rube), &text, &e) != WF_OK) fail_msg("%s, line %d: %s", e.where, (int)e.line, e.what);
@@ -83,9 +82,8 @@ static void a_scene_of_others_is_translated(void **unused)
     free(flat);
 }
 
-static void what_would_move_otherwise_is_refused(void **unused)
+TEST(what_would_move_otherwise_is_refused)
 {
-    (void)unused;
     static const struct { const char *from, *to, *where, *what; int line; } wrong[] = {
         { "\"type\": \"distance\"", "\"type\": \"motor\"", "joint[0].type", "not translated", 10 },
         { "\"awake\": true", "\"active\": false", "body[1].active", "takes no part", 6 },
@@ -133,9 +131,8 @@ static void what_would_move_otherwise_is_refused(void **unused)
     assert_non_null(strstr(e.what, "R.U.B.E."));
 }
 
-static void a_text_that_is_none_is_refused(void **unused)
+TEST(a_text_that_is_none_is_refused)
 {
-    (void)unused;
     char *out = NULL;
     wfTextError e;
     assert_result(WF_ERROR_TEXT, wfTranslateRube("{\"body\": [{\"name\": \"\xFF\"}]}", 24, &out, &e));
@@ -149,9 +146,8 @@ static void a_text_that_is_none_is_refused(void **unused)
 static int left;
 static void *scarce(size_t n) { return left-- > 0 ? malloc(n) : NULL; }
 
-static void every_failed_allocation_is_an_error(void **unused)
+TEST(every_failed_allocation_is_an_error)
 {
-    (void)unused;
     cJSON_Hooks hooks = { scarce, free };
     char *out = NULL;
     int tries = 0;
@@ -165,13 +161,4 @@ static void every_failed_allocation_is_an_error(void **unused)
     cJSON_InitHooks(NULL);
     free(out);
     assert_true(tries > 100);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_scene_of_others_is_translated), cmocka_unit_test(what_would_move_otherwise_is_refused),
-        cmocka_unit_test(a_text_that_is_none_is_refused), cmocka_unit_test(every_failed_allocation_is_an_error),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,9 +43,8 @@ static wfInput data(int kind, uint64_t userData)
     return in;
 }
 
-static void what_is_set_is_played_again(void **unused)
+TEST(what_is_set_is_played_again)
 {
-    (void)unused;
     static uint8_t bytes[1 << 14];
     Yard played = yard(), shown = yard();
     wfBodyId shape = { played.shape.index, played.shape.generation }, rope = { played.rope.index, played.rope.generation };
@@ -78,21 +77,11 @@ static void what_is_set_is_played_again(void **unused)
     wfDestroyWorld(&shown.world);
 }
 
-static void data_of_a_joint_that_is_gone_is_refused(void **unused)
+TEST(data_of_a_joint_that_is_gone_is_refused)
 {
-    (void)unused;
     Yard y = yard();
     assert_ok(wfSetJointUserData(&y.world, y.rope, 5));
     assert_ok(wfRemoveJointFromWorld(&y.world, y.rope));
     assert_result(WF_ERROR_STALE_ID, wfSetJointUserData(&y.world, y.rope, 5));
     wfDestroyWorld(&y.world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_set_is_played_again),
-        cmocka_unit_test(data_of_a_joint_that_is_gone_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

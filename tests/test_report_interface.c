@@ -6,9 +6,8 @@
 
 /* ------------------------------------------------------------------------------ Appendix B, line by line */
 
-static void appendix_b_runs_as_it_is_printed(void **unused)
+TEST(appendix_b_runs_as_it_is_printed)
 {
-    (void)unused;
     /* B.1 */
     physics_world World = CreateWorld();
     /* B.2 */
@@ -40,9 +39,8 @@ static void appendix_b_runs_as_it_is_printed(void **unused)
     assert_null(World.memory.permanent);
 }
 
-static void the_bodies_are_where_the_appendix_puts_them(void **unused)
+TEST(the_bodies_are_where_the_appendix_puts_them)
 {
-    (void)unused;
     physics_world World = CreateWorld();
     poly_body Body = MakePolyBody(V2(20, 20), 0.5, 45.0f);
     poly_body Body2 = MakePolyBody(V2(10, 10), 10);
@@ -61,9 +59,8 @@ static void the_bodies_are_where_the_appendix_puts_them(void **unused)
     DestroyWorld(&World);
 }
 
-static void a_body_falls_and_is_read_back(void **unused)
+TEST(a_body_falls_and_is_read_back)
 {
-    (void)unused;
     physics_world World = CreateWorld((real32)0.01);
     poly_body Body = MakePolyBody(V2(1, 1), 2, 0, 0, 0);       /* no damping: the parabola */
     Body->Transform = MakeTransformDeg(V2(3, 100), 90);
@@ -86,9 +83,8 @@ static void a_body_falls_and_is_read_back(void **unused)
     DestroyWorld(&World);
 }
 
-static void default_arguments_and_their_replacements(void **unused)
+TEST(default_arguments_and_their_replacements)
 {
-    (void)unused;
     poly_body A = MakePolyBody(V2(1, 2), 3);
     poly_body B = MakePolyBody(V2(1, 2), 3, 90);
     poly_body C = MakePolyBody(V2(1, 2), 3, 90, (real32)0.125);
@@ -104,9 +100,8 @@ static void default_arguments_and_their_replacements(void **unused)
     assert_true(A->Mass == 7 && (&A)[0]->Dimensions.X == 5 && A[0].Dimensions.Y == 6);
 }
 
-static void bodies_come_in_four_kinds_of_array(void **unused)
+TEST(bodies_come_in_four_kinds_of_array)
 {
-    (void)unused;
     physics_world World = CreateWorld();
     poly_body A = MakePolyBody(V2(1, 1), 1), B = MakePolyBody(V2(1, 1), 2);
     poly_body *Pointers[2] = { &A, &B };
@@ -123,9 +118,8 @@ static void bodies_come_in_four_kinds_of_array(void **unused)
     DestroyWorld(&World);
 }
 
-static void all_of_an_array_or_none(void **unused)
+TEST(all_of_an_array_or_none)
 {
-    (void)unused;
     physics_world World = CreateWorld();
     poly_body A = MakePolyBody(V2(1, 1), 1), B = MakePolyBody(V2(1, -1), 2);
     poly_body *Pointers[3] = { &A, &B, NULL };
@@ -142,9 +136,8 @@ static void all_of_an_array_or_none(void **unused)
     DestroyWorld(&World);
 }
 
-static void what_the_report_leaves_open(void **unused)
+TEST(what_the_report_leaves_open)
 {
-    (void)unused;
     /* 33.3 is milliseconds: refused, not simulated as half a minute a step */
     physics_world Wrong = CreateWorld((real32)33.3);
     assert_null(Wrong.memory.permanent);
@@ -171,9 +164,8 @@ static void what_the_report_leaves_open(void **unused)
     DestroyWorld(&World);
 }
 
-static void bad_bodies_are_refused(void **unused)
+TEST(bad_bodies_are_refused)
 {
-    (void)unused;
     physics_world World = CreateWorld();
     for (int field = 0; field < 15; field++)
         for (int b = 0; b < BAD_REAL_COUNT; b++) {
@@ -211,9 +203,8 @@ static void bad_bodies_are_refused(void **unused)
 
 /* ------------------------------------------------------------------------------ Appendix C */
 
-static void math_operations(void **unused)
+TEST(math_operations)
 {
-    (void)unused;
     assert_true(Square(3) == 9);
     assert_ulps(DegToRadians(180), 3.14159265358979324, 1, 4);
     assert_true(SquareRoot(16) == 4);
@@ -223,9 +214,8 @@ static void math_operations(void **unused)
     assert_ulps(ArcCos(0), 1.5707963267948966, 2, 2);
 }
 
-static void vectors(void **unused)
+TEST(vectors)
 {
-    (void)unused;
     v2 a = V2(3, 4), b = V2(1, -2);
     v3 c = V3(1, 2, 2), d = V3(2, 0, 1);
     v4 e = V4(1, 1, 1, 1), f = V4(1, 2, 3, 4);
@@ -245,9 +235,8 @@ static void vectors(void **unused)
     assert_true(Add(a, b).X == 4 && Sub(a, b).Y == 6 && Scale(2, a).Y == 8 && Add(c, d).Z == 3 && Sub(e, f).W == -3);
 }
 
-static void matrices(void **unused)
+TEST(matrices)
 {
-    (void)unused;
     mat22 one = Mat22(), m = Mat22(1, 2, 3, 4);
     assert_true(one.E11 == 1 && one.E12 == 0 && one.E21 == 0 && one.E22 == 1);
     assert_true(m.E11 == 1 && m.E12 == 2 && m.E21 == 3 && m.E22 == 4 && m.E[2] == 3);
@@ -269,9 +258,8 @@ static void matrices(void **unused)
     assert_true(MakeMat23(m).E21 == 3 && MakeMat23(m).E13 == 0 && MakeMat22(n).E21 == 4 && MakeMat22(n).E12 == 2);
 }
 
-static void transforms(void **unused)
+TEST(transforms)
 {
-    (void)unused;
     assert_true(TranslationMat23(2, 3).E13 == 2 && TranslationMat23(2, 3).E23 == 3 && TranslationMat23(2, 3).E11 == 1);
     assert_true(TranslationMat23(V2(4, 5)).E13 == 4 && TranslationMat23(V2(4, 5)).E23 == 5);
     assert_true(TranslationMat23(V3(6, 7, 8)).E13 == 6 && TranslationMat23(V3(6, 7, 8)).E23 == 7);
@@ -290,9 +278,8 @@ static void transforms(void **unused)
     for (int i = 0; i < 6; i++) assert_near(back.E[i], Mat23().E[i], 1e-5);
 }
 
-static void rectangles_and_circles(void **unused)
+TEST(rectangles_and_circles)
 {
-    (void)unused;
     rectangle2 r = RectMinMax(V2(1, 2), V2(5, 8));
     assert_true(r.Min.X == 1 && r.Min.Y == 2 && r.Max.X == 5 && r.Max.Y == 8);
     assert_true(GetMinCorner(r).Y == 2 && GetMaxCorner(r).X == 5 && GetWidth(r) == 4 && GetHeight(r) == 6);
@@ -304,17 +291,4 @@ static void rectangles_and_circles(void **unused)
     assert_true(c.Center.X == 1 && c.Center.Y == 2 && c.Radius == 3 && GetRadius(d) == 3);
     assert_true(GetCenter(c).X == 1 && GetCenter(d).Y == 2);
     assert_true(IsInCircle(c, V2(3, 3)) && !IsInCircle(c, V2(4, 4)));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(appendix_b_runs_as_it_is_printed), cmocka_unit_test(the_bodies_are_where_the_appendix_puts_them),
-        cmocka_unit_test(a_body_falls_and_is_read_back), cmocka_unit_test(default_arguments_and_their_replacements),
-        cmocka_unit_test(bodies_come_in_four_kinds_of_array), cmocka_unit_test(all_of_an_array_or_none),
-        cmocka_unit_test(what_the_report_leaves_open), cmocka_unit_test(bad_bodies_are_refused),
-        cmocka_unit_test(math_operations), cmocka_unit_test(vectors), cmocka_unit_test(matrices),
-        cmocka_unit_test(transforms), cmocka_unit_test(rectangles_and_circles),
-    };
-    return cmocka_run_group_tests_name("24 the report's interface", tests, NULL, NULL);
 }

@@ -87,9 +87,8 @@ static wfShape random_coat(wfRandom *r, wfReal scale)
 }
 
 /* ---- makers -------------------------------------------------------------------------------------------------------- */
-static void a_capsule_is_a_segment_in_a_coat(void **state)
+TEST(a_capsule_is_a_segment_in_a_coat)
 {
-    (void)state;
     wfShape s, t, u;
     assert_ok(wfMakeCapsule(wfV2(1, 2), wfV2(4, 6), WF_R(0.5), &s));
     assert_int_equal(s.kind, WF_SHAPE_CAPSULE);
@@ -117,9 +116,8 @@ static void a_capsule_is_a_segment_in_a_coat(void **state)
     assert_ok(wfCheckShape(&s)); assert_ok(wfCheckShape(&t)); assert_ok(wfCheckShape(&u));
 }
 
-static void a_rounded_polygon_is_its_core_in_a_coat(void **state)
+TEST(a_rounded_polygon_is_its_core_in_a_coat)
 {
-    (void)state;
     wfRandom r = random_stream(170);
     for (int k = 0; k < 200; k++) {
         wfShape bare = random_sized_polygon(&r, 1), same, coat;
@@ -142,9 +140,8 @@ static void a_rounded_polygon_is_its_core_in_a_coat(void **state)
 
 /* ---- mass ---------------------------------------------------------------------------------------------------------- */
 /* A rectangle of l by 2r and two half discs: each has its centroid 4r/3pi from its flat side and pi r^4/4 about the middle of it. */
-static void a_capsule_by_hand(void **state)
+TEST(a_capsule_by_hand)
 {
-    (void)state;
     static const double size[][2] = { { 1, 0.5 }, { 4, 0.25 }, { 0.125, 3 }, { 1024, 1 }, { 0.002, 0.0005 }, { 1, 1e-4 } };
     for (int i = 0; i < 6; i++)
         for (int turn = 0; turn < 360; turn += 40) {
@@ -164,9 +161,8 @@ static void a_capsule_by_hand(void **state)
 }
 
 /* Rounded boxes by Steiner with numbers put in by hand: P = 4 (w + h), the four corners at w^2 + h^2 with pi/2 each. */
-static void a_rounded_box_by_hand(void **state)
+TEST(a_rounded_box_by_hand)
 {
-    (void)state;
     for (double w = 0.25; w < 5; w *= 2)
         for (double r = 0.125; r < 5; r *= 2) {
             double h = 0.75, core = 4 * w * h, P = 4 * (w + h), R = w * w + h * h;
@@ -181,9 +177,8 @@ static void a_rounded_box_by_hand(void **state)
         }
 }
 
-static void mass_data_match_the_rim(void **state)
+TEST(mass_data_match_the_rim)
 {
-    (void)state;
     static const wfReal scale[] = { 1, WF_R(0.001), 1000 };
     wfRandom r = random_stream(171);
     for (int k = 0; k < 600; k++) {
@@ -203,9 +198,8 @@ static void mass_data_match_the_rim(void **state)
 }
 
 /* What is blown up by a power of two has its numbers multiplied by powers of two, to the last bit: no length is built in. */
-static void scaling_by_two_is_exact(void **state)
+TEST(scaling_by_two_is_exact)
 {
-    (void)state;
     wfRandom r = random_stream(172);
     for (int k = 0; k < 200; k++) {
         wfShape s = random_coat(&r, 1), big;
@@ -221,9 +215,8 @@ static void scaling_by_two_is_exact(void **state)
     }
 }
 
-static void a_coat_without_a_core_to_speak_of_is_a_disc(void **state)
+TEST(a_coat_without_a_core_to_speak_of_is_a_disc)
 {
-    (void)state;
     wfShape s = capsule(-1e-4, 0, 1e-4, 0, 1);
     wfMassData m;
     assert_ok(wfShapeMassOf(&s, 2, &m));
@@ -232,9 +225,8 @@ static void a_coat_without_a_core_to_speak_of_is_a_disc(void **state)
     assert_near(m.mass, 2, 0);
 }
 
-static void rods_have_a_mass_only_if_it_is_given(void **state)
+TEST(rods_have_a_mass_only_if_it_is_given)
 {
-    (void)state;
     wfShape s = segment(1, 2, 4, 6), link;
     wfMassData m, before;
     memset(&m, 0x5a, sizeof m);
@@ -257,9 +249,8 @@ static void rods_have_a_mass_only_if_it_is_given(void **state)
 }
 
 /* ---- questions ----------------------------------------------------------------------------------------------------- */
-static void bounds_and_extent_fit_tightly(void **state)
+TEST(bounds_and_extent_fit_tightly)
 {
-    (void)state;
     wfRandom r = random_stream(173);
     for (int k = 0; k < 500; k++) {
         wfShape s = k % 4 ? random_coat(&r, 1) : any_shape_of(&r, k % 8 ? WF_SHAPE_SEGMENT : WF_SHAPE_LINK, 1);
@@ -278,9 +269,8 @@ static void bounds_and_extent_fit_tightly(void **state)
     }
 }
 
-static void containment_is_nearness_to_the_core(void **state)
+TEST(containment_is_nearness_to_the_core)
 {
-    (void)state;
     wfRandom r = random_stream(174);
     int in = 0, out = 0;
     for (int k = 0; k < 300; k++) {
@@ -317,9 +307,8 @@ static void containment_is_nearness_to_the_core(void **state)
     assert_true(wfShapeContains(&cap, HERE, V(-0.3, 0.3)));
 }
 
-static void the_support_of_two_corners(void **state)
+TEST(the_support_of_two_corners)
 {
-    (void)state;
     wfShape s = capsule(0, 0, 2, 1, 0.5);
     assert_int_equal(wfShapeSupport(&s, wfV2(1, 0)), 1);
     assert_int_equal(wfShapeSupport(&s, wfV2(-1, 0)), 0);
@@ -330,9 +319,8 @@ static void the_support_of_two_corners(void **state)
 }
 
 /* Every point of the outline is on the rim, the outline turns left all the way, once round, and by no more than was said. */
-static void the_outline_is_the_rim(void **state)
+TEST(the_outline_is_the_rim)
 {
-    (void)state;
     wfRandom r = random_stream(175);
     int most = 0;
     for (int k = 0; k < 500; k++) {
@@ -368,9 +356,8 @@ static void the_outline_is_the_rim(void **state)
     assert_int_equal(wfShapeOutline(&none, HERE, rim), 0);
 }
 
-static void moving_moves_ghosts_too(void **state)
+TEST(moving_moves_ghosts_too)
 {
-    (void)state;
     wfShape s, was;
     assert_ok(wfMakeLink(wfV2(-1, 3), wfV2(0, 0), wfV2(2, 0), wfV2(4, -4), &s));
     was = s;
@@ -387,9 +374,8 @@ static void moving_moves_ghosts_too(void **state)
 }
 
 /* ---- bad input ----------------------------------------------------------------------------------------------------- */
-static void bad_numbers_are_refused(void **state)
+TEST(bad_numbers_are_refused)
 {
-    (void)state;
     wfShape s;
     wfVec2 o = wfV2(0, 0), p = wfV2(1, 0), q = wfV2(3, 1), e = wfV2(5, 5), tri[3] = { { { 0, 0 } }, { { 1, 0 } }, { { 0, 1 } } };
     assert_result(WF_ERROR_NULL, wfMakeCapsule(p, q, 1, NULL));
@@ -425,9 +411,8 @@ static void bad_numbers_are_refused(void **state)
 }
 
 /* Too small, too big, too far out, from both sides of each limit, at 1e-30 and at 1e30. */
-static void sizes_have_limits(void **state)
+TEST(sizes_have_limits)
 {
-    (void)state;
     wfShape s;
     wfReal least = WF_MIN_SIZE, most = WF_MAX_SIZE;
     const wfReal tiny[] = { WF_R(1e-30), least * WF_R(0.9) }, huge_[] = { most * WF_R(1.1), WF_R(1e30), WF_HUGE };
@@ -482,9 +467,8 @@ static void sizes_have_limits(void **state)
 }
 
 /* eq:shapes-coat-limits at seven sizes, 3 % to either side; and what is no coat, or no core, at all. */
-static void core_and_coat_must_both_be_seen(void **state)
+TEST(core_and_coat_must_both_be_seen)
 {
-    (void)state;
     wfShape s;
     wfReal t = WF_HULL_TOLERANCE;
     for (int e = -2; e <= 4; e++) {
@@ -514,9 +498,8 @@ static void core_and_coat_must_both_be_seen(void **state)
 }
 
 /* Collinear, duplicated, clockwise, dented and too many points behave in a coat as they do without. */
-static void the_core_obeys_the_hull(void **state)
+TEST(the_core_obeys_the_hull)
 {
-    (void)state;
     wfShape s, t;
     wfVec2 line[5], ring[17], dent[5] = { { { 0, 0 } }, { { 2, 0 } }, { { 1, 1 } }, { { 2, 2 } }, { { 0, 2 } } };
     for (int i = 0; i < 5; i++) line[i] = wfV2((wfReal)i, 2 * (wfReal)i);
@@ -534,9 +517,8 @@ static void the_core_obeys_the_hull(void **state)
 }
 
 #define TAMPER(error, change) do { s = good; change; assert_result(error, wfCheckShape(&s)); } while (0)
-static void tampered_coats_are_found_out(void **state)
+TEST(tampered_coats_are_found_out)
 {
-    (void)state;
     wfShape s, good = capsule(0, 0, 2, 0, 1);
     TAMPER(WF_ERROR_RANGE, s.radius = -1);
     TAMPER(WF_ERROR_COAT, s.radius = 0);
@@ -592,28 +574,12 @@ static void tampered_coats_are_found_out(void **state)
     }
 }
 
-static void the_coat_has_its_sentence(void **state)
+TEST(the_coat_has_its_sentence)
 {
-    (void)state;
     const wfResult row[] = { WF_ERROR_COAT, WF_ERROR_DEGENERATE, WF_ERROR_SIZE, WF_ERROR_RANGE };
     for (int i = 0; i < 4; i++) {
         assert_true(strlen(wfResultText(row[i])) > 20);
         assert_non_null(strchr(wfResultText(row[i]), ':'));
         for (int j = 0; j < i; j++) assert_string_not_equal(wfResultText(row[i]), wfResultText(row[j]));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_capsule_is_a_segment_in_a_coat), cmocka_unit_test(a_rounded_polygon_is_its_core_in_a_coat),
-        cmocka_unit_test(a_capsule_by_hand), cmocka_unit_test(a_rounded_box_by_hand), cmocka_unit_test(mass_data_match_the_rim),
-        cmocka_unit_test(scaling_by_two_is_exact), cmocka_unit_test(a_coat_without_a_core_to_speak_of_is_a_disc),
-        cmocka_unit_test(rods_have_a_mass_only_if_it_is_given), cmocka_unit_test(bounds_and_extent_fit_tightly),
-        cmocka_unit_test(containment_is_nearness_to_the_core), cmocka_unit_test(the_support_of_two_corners),
-        cmocka_unit_test(the_outline_is_the_rim), cmocka_unit_test(moving_moves_ghosts_too), cmocka_unit_test(bad_numbers_are_refused),
-        cmocka_unit_test(sizes_have_limits), cmocka_unit_test(core_and_coat_must_both_be_seen), cmocka_unit_test(the_core_obeys_the_hull),
-        cmocka_unit_test(tampered_coats_are_found_out), cmocka_unit_test(the_coat_has_its_sentence),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -15,19 +15,11 @@ static wfWorldDef busy_def(int bodies)
     return def;
 }
 
-static wfBodyDef box_def(double x, double y, double half)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y);
-    assert_ok(wfMakeBox((wfReal)half, (wfReal)half, &def.shape));
-    return def;
-}
-
 static void fill(wfWorld *world, int n)         /* boxes, balls, a sensor, springs, hinges, materials */
 {
     wfBodyId id[100], ground = add(world, floor_def());
     for (int i = 0; i < n; i++) {
-        wfBodyDef d = i % 2 ? box_def(i % 5 - 2, 1 + i / 5, 0.4) : ball_def(i % 5 - 2, 1 + i / 5, 0.4);
+        wfBodyDef d = i % 2 ? square_def(i % 5 - 2, 1 + i / 5, 0.4) : ball_def(i % 5 - 2, 1 + i / 5, 0.4);
         d.restitution = WF_R(0.3);
         d.angularVelocity = (wfReal)(i % 3);
         id[i % 100] = add(world, d);
@@ -50,8 +42,7 @@ static wfWorld busy_with(int n, int steps, int more)     /* room for so many bod
 {
     wfWorldDef def = busy_def(n + 1 + more);
     def.shapeCapacity = n + 2 + more;
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     fill(&world, n);
     for (int i = 0; i < steps; i++) assert_ok(wfStepWorld(&world));
     return world;
@@ -77,9 +68,8 @@ static void *bytes_of(size_t n)
 
 /* ------------------------------------------------------------------------------ snapshots */
 
-static void a_snapshot_takes_the_world_back(void **unused)
+TEST(a_snapshot_takes_the_world_back)
 {
-    (void)unused;
     wfWorld world = busy_with(30, 40, 3), twin;
     wfJointId rods[3];
     for (int i = 0; i < 3; i++) {                           /* a place in the middle is free */
@@ -121,9 +111,8 @@ static void a_snapshot_takes_the_world_back(void **unused)
     wfDestroyWorld(&twin);
 }
 
-static void restoring_clears_what_the_snapshot_had_not(void **unused)
+TEST(restoring_clears_what_the_snapshot_had_not)
 {
-    (void)unused;
     wfWorldDef def = busy_def(60);
     wfWorld world, fresh;
     assert_ok(wfCreateWorld(&def, &world));
@@ -155,9 +144,8 @@ static void restoring_clears_what_the_snapshot_had_not(void **unused)
     wfDestroyWorld(&fresh);
 }
 
-static void bad_snapshots_are_refused(void **unused)
+TEST(bad_snapshots_are_refused)
 {
-    (void)unused;
     wfWorld world = busy(10, 5), small = busy(3, 5);
     size_t size = wfSnapshotSize(&world), got = 77;
     uint8_t *bytes = bytes_of(size + 1);
@@ -190,9 +178,8 @@ static void bad_snapshots_are_refused(void **unused)
     wfDestroyWorld(&small);
 }
 
-static void the_first_difference_has_a_name(void **unused)
+TEST(the_first_difference_has_a_name)
 {
-    (void)unused;
     wfWorld a = busy(10, 5), b;
     wfDifference d;
     assert_ok(wfCloneWorld(&a, NULL, &b));
@@ -230,9 +217,8 @@ static void the_first_difference_has_a_name(void **unused)
 
 /* ------------------------------------------------------------------------------ growth */
 
-static void a_world_grows_and_nobody_notices(void **unused)
+TEST(a_world_grows_and_nobody_notices)
 {
-    (void)unused;
     wfWorld world = busy(20, 30), twin = busy(20, 30);
     wfWorldDef room;
     wfBodyId id = wfBodyAt(&world, 5);
@@ -264,9 +250,8 @@ static void a_world_grows_and_nobody_notices(void **unused)
 
 /* ------------------------------------------------------------------------------ rewind */
 
-static void the_ring_keeps_the_newest(void **unused)
+TEST(the_ring_keeps_the_newest)
 {
-    (void)unused;
     enum { STEPS = 200, UNIT = 12001 * sizeof(wfReal) };
     static uint64_t hash[STEPS + 1];
     for (int memory = 1; memory <= 3; memory++) {           /* room for few, some, many */
@@ -304,9 +289,8 @@ static void the_ring_keeps_the_newest(void **unused)
 
 /* Snapshots of sizes that go up and down: after each that is kept, all that the ring says it has are there, in order. (What lies between
  * the newest and the end when the next one goes to the beginning must go before what lies there: sec:save-ring.) */
-static void the_ring_keeps_its_order_whatever_the_sizes(void **unused)
+TEST(the_ring_keeps_its_order_whatever_the_sizes)
 {
-    (void)unused;
     enum { STEPS = 300, MOST = 40, UNIT = 4000 * sizeof(wfReal) };
     static uint64_t hash[STEPS];
     static _Alignas(16) uint8_t bytes[7 * UNIT];
@@ -331,8 +315,7 @@ static void the_ring_keeps_its_order_whatever_the_sizes(void **unused)
             }
             while (wfBodyCount(&world) < want) add(&world, ball_def(3 * wfBodyCount(&world), i, 0.3));
             if (i % 7 == 0) {                                       /* a new world has no places that were used once */
-                wfWorld fresh;
-                assert_ok(wfCreateWorld(&def, &fresh));
+                wfWorld fresh = world_with(&def);
                 for (int k = 0; k < i; k++) assert_ok(wfStepWorld(&fresh));
                 for (int k = 0; k < want / 4; k++) add(&fresh, ball_def(3 * k, i, 0.3));
                 wfDestroyWorld(&world);
@@ -365,9 +348,8 @@ static void the_ring_keeps_its_order_whatever_the_sizes(void **unused)
     assert_true(went_round > 50 && shrank > 20);
 }
 
-static void bad_rings_are_refused(void **unused)
+TEST(bad_rings_are_refused)
 {
-    (void)unused;
     wfWorld world = busy(5, 1);
     _Alignas(16) uint8_t bytes[256];
     wfRewind ring = { .size = 0 };
@@ -383,9 +365,8 @@ static void bad_rings_are_refused(void **unused)
 }
 
 /* Eight frames late: the world goes back, takes the input that came late, and catches up. */
-static void rollback_is_as_if_it_had_been_known(void **unused)
+TEST(rollback_is_as_if_it_had_been_known)
 {
-    (void)unused;
     wfWorld late = busy(20, 0), early = busy(20, 0);
     enum { DELAY = 8, STEPS = 120 };
     size_t size = (DELAY + 2) * (wfSnapshotSize(&late) + 60000);
@@ -443,7 +424,7 @@ static void play(wfWorld *w, wfJournal *j, int steps, bool odd)
     for (int i = 0; i < steps; i++) {
         wfBodyId b = wfBodyAt(w, 2 + i % 3);
         wfInput of = input(0, b.index, b.generation, wfV2(0, 1), wfV2(1, 2), WF_R(0.25), WF_R(0.5));
-        if (i == 4) crate = give(w, j, (wfInput){ .kind = WF_INPUT_ADD_BODY, .body = box_def(3, 6, 0.3) });
+        if (i == 4) crate = give(w, j, (wfInput){ .kind = WF_INPUT_ADD_BODY, .body = square_def(3, 6, 0.3) });
         if (i == 6) of.kind = WF_INPUT_VELOCITY, give(w, j, of);
         if (i == 8) hand = give(w, j, input(WF_INPUT_GRAB, crate.index, crate.generation, info(w, (wfBodyId){ crate.index, crate.generation }).position, wfV2(0, 0), 0, 0));
         if (i > 8 && i < 20) give(w, j, input(WF_INPUT_DRAG, hand.index, hand.generation, wfV2((wfReal)i / 8, 4), wfV2(0, 0), 0, 0));
@@ -501,15 +482,13 @@ static void play(wfWorld *w, wfJournal *j, int steps, bool odd)
 static wfWorld stage(void)
 {
     wfWorldDef def = busy_def(40);
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     fill(&world, 12);
     return world;
 }
 
-static void a_replay_has_the_same_bits(void **unused)
+TEST(a_replay_has_the_same_bits)
 {
-    (void)unused;
     enum { ROOM = 1 << 16, STEPS = 300 };
     static uint8_t bytes[ROOM];
     for (int trail = 0; trail <= 1; trail++) {
@@ -532,9 +511,8 @@ static void a_replay_has_the_same_bits(void **unused)
     }
 }
 
-static void a_divergence_has_step_body_and_field(void **unused)
+TEST(a_divergence_has_step_body_and_field)
 {
-    (void)unused;
     enum { ROOM = 1 << 16, STEPS = 80 };
     static uint8_t one[ROOM], two[ROOM];
     wfJournal j, k;
@@ -577,9 +555,8 @@ static void a_divergence_has_step_body_and_field(void **unused)
     wfDestroyWorld(&a);
 }
 
-static void bad_journals_are_refused(void **unused)
+TEST(bad_journals_are_refused)
 {
-    (void)unused;
     uint8_t bytes[200];
     wfJournal j;
     wfWorld world = stage();
@@ -624,9 +601,8 @@ static void bad_journals_are_refused(void **unused)
 
 /* ------------------------------------------------------------------------------ save files */
 
-static void a_save_comes_back(void **unused)
+TEST(a_save_comes_back)
 {
-    (void)unused;
     wfWorld world = busy(30, 60), loaded;
     size_t size = wfSaveSize(&world), got;
     uint8_t *bytes = bytes_of(size);
@@ -657,9 +633,8 @@ static void a_save_comes_back(void **unused)
 static bool is_damage(wfResult r) { return r == WF_ERROR_NOT_A_SAVE || r == WF_ERROR_TRUNCATED || r == WF_ERROR_CHECKSUM; }
 
 /* Two files of one world are one file, whatever lay in the memory before: nothing of it goes into the file. */
-static void a_save_holds_the_world_and_nothing_else(void **unused)
+TEST(a_save_holds_the_world_and_nothing_else)
 {
-    (void)unused;
     wfWorld world = busy(20, 40);
     size_t size = wfSaveSize(&world), got;
     uint8_t *one = bytes_of(size), *two = bytes_of(size);
@@ -674,9 +649,8 @@ static void a_save_holds_the_world_and_nothing_else(void **unused)
 }
 
 /* All prefixes and all flipped bits of a small world, every 97th of a larger one. */
-static void damage_is_always_noticed(void **unused)
+TEST(damage_is_always_noticed)
 {
-    (void)unused;
     for (int large = 0; large <= 1; large++) {
         wfWorld world = busy(large ? 60 : 2, 20), out = { .memory = { .owned = 0 } };
         size_t size = wfSaveSize(&world), got, by = large ? 97 : 1;
@@ -699,9 +673,8 @@ static void damage_is_always_noticed(void **unused)
     }
 }
 
-static void bursts_are_always_noticed(void **unused)
+TEST(bursts_are_always_noticed)
 {
-    (void)unused;
     uint8_t b[40];
     wfRandom random = random_stream(64);
     for (int i = 0; i < 40; i++) b[i] = (uint8_t)wfRandomU32(&random);
@@ -734,9 +707,8 @@ static void seal(uint8_t *b, size_t size)
     for (int i = 0; i < 8; i++) b[size - 8 + (size_t)i] = (uint8_t)(sum >> (8 * i));
 }
 
-static void strangers_are_refused_by_name(void **unused)
+TEST(strangers_are_refused_by_name)
 {
-    (void)unused;
     wfWorld world = busy(5, 5), out = { .memory = { .owned = 0 } };
     size_t size = wfSaveSize(&world), got;
     uint8_t *bytes = bytes_of(size), *b = bytes_of(size);
@@ -763,9 +735,8 @@ static void strangers_are_refused_by_name(void **unused)
 
 /* The file of a journal: it comes back and replays the same bits; every prefix and every flipped bit is refused, strangers by
  * name, and so is what is whole and yet no journal. */
-static void journals_have_an_envelope(void **unused)
+TEST(journals_have_an_envelope)
 {
-    (void)unused;
     enum { ROOM = 1 << 14 };
     static uint8_t notes[ROOM], room[ROOM];
     for (int trail = 0; trail <= 1; trail++) {
@@ -834,9 +805,8 @@ static void journals_have_an_envelope(void **unused)
 }
 
 /* Whole by its checksum, and any bytes in it: an error, or a journal whose replay ends. */
-static void hostile_journals_do_no_harm(void **unused)
+TEST(hostile_journals_do_no_harm)
 {
-    (void)unused;
     uint8_t file[64 + 600], room[600];
     wfRandom random = random_stream(27);
     wfJournal j, k;
@@ -876,9 +846,8 @@ static bool is_patient(const wfWorld *w)
 }
 
 /* Any byte of the image may be anything: an error, or a world that keeps its rules and steps. */
-static void hostile_files_do_no_harm(void **unused)
+TEST(hostile_files_do_no_harm)
 {
-    (void)unused;
     wfWorld world = busy(12, 30), out;
     size_t size = wfSaveSize(&world), got;
     uint8_t *bytes = bytes_of(size), *b = bytes_of(size);
@@ -915,9 +884,8 @@ static void hostile_files_do_no_harm(void **unused)
 }
 
 /* A world that was made for little has little to keep; growth can give it more. */
-static void modules_are_kept_and_grow(void **unused)
+TEST(modules_are_kept_and_grow)
 {
-    (void)unused;
     static const uint32_t without[] = { WF_MODULE_JOINTS, WF_MODULE_SLEEP, WF_MODULE_EVENTS, WF_MODULE_FORCES, WF_MODULE_FAST, WF_MODULE_QUERIES,
                                         WF_MODULE_JOINTS | WF_MODULE_SLEEP | WF_MODULE_EVENTS | WF_MODULE_FORCES | WF_MODULE_FAST | WF_MODULE_QUERIES | WF_MODULE_SENSORS };
     for (size_t k = 0; k < sizeof without / sizeof *without; k++) {
@@ -929,7 +897,7 @@ static void modules_are_kept_and_grow(void **unused)
         if (without[k] & WF_MODULE_FAST) def.maxImpacts = 0;
         if (wfCreateWorld(&def, &world) != WF_OK) { print_message("row %zu: not a legal set of needs\n", k); continue; }
         add(&world, floor_def());
-        for (int i = 0; i < 20; i++) add(&world, i % 2 ? box_def(i % 5, 1 + i / 5, 0.4) : ball_def(i % 5, 1 + i / 5, 0.4));
+        for (int i = 0; i < 20; i++) add(&world, i % 2 ? square_def(i % 5, 1 + i / 5, 0.4) : ball_def(i % 5, 1 + i / 5, 0.4));
         for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&world));
         if (wfCheckWorld(&world, &fault) != WF_OK) fail_msg("row %zu: %s %d: %s", k, fault.region, (int)fault.element, fault.rule);
         size_t size = wfSaveSize(&world);
@@ -950,9 +918,8 @@ static void modules_are_kept_and_grow(void **unused)
 }
 
 /* One number is broken by hand, in a copy; the fault names its region. */
-static void broken_rules_are_named(void **unused)
+TEST(broken_rules_are_named)
 {
-    (void)unused;
     enum { NAN_ = -1, INT_ = 0, BYTE_ = 1 };
     static const struct { int region, element; size_t offset; int kind, value; } broken[] = {
         { WF_REGION_BODY_SLOTS, 3, offsetof(wfSlot, generation), INT_, 0 },
@@ -1026,9 +993,8 @@ static void broken_rules_are_named(void **unused)
 }
 
 /* A world that only calls have made keeps its rules, whatever it is made for, and comes back from its save; loaded, it goes on alike. */
-static void whatever_a_world_needs_it_can_be_loaded(void **unused)
+TEST(whatever_a_world_needs_it_can_be_loaded)
 {
-    (void)unused;
     wfRandom random = random_stream(2623);
     int made = 0, without = 0;
     for (int n = 0; n < 4000; n++) {
@@ -1089,9 +1055,8 @@ static void whatever_a_world_needs_it_can_be_loaded(void **unused)
 
 /* The table of arrays says whom an array serves and which rule looks at it. A rule looks at all of its arrays or at none: whatever a world
    needs, they have room together. */
-static void every_kept_region_has_a_rule(void **unused)
+TEST(every_kept_region_has_a_rule)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfRegion region[WF_REGION_COUNT];
     assert_ok(wfWorldRegions(&def, region));
@@ -1119,9 +1084,8 @@ static bool destroys(void *context, const wfCallbackView *view, int32_t a, int32
     return true;
 }
 
-static void no_hook_destroys_its_world(void **unused)
+TEST(no_hook_destroys_its_world)
 {
-    (void)unused;
     wfWorld world = busy(10, 30), same = world;
     int asked = 0;
     wfCallbacks hooks = { .context = &asked, .filter = destroys };
@@ -1135,9 +1099,8 @@ static void no_hook_destroys_its_world(void **unused)
     assert_result(WF_ERROR_NULL, wfDestroyWorld(NULL));
 }
 
-static void files_are_replaced_as_a_whole(void **unused)
+TEST(files_are_replaced_as_a_whole)
 {
-    (void)unused;
     char path[200];
     snprintf(path, sizeof path, "%s/weft-save-test-%p.weft", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp", (void *)path);
     wfWorld world = busy(10, 3), out;
@@ -1177,9 +1140,8 @@ static void files_are_replaced_as_a_whole(void **unused)
 }
 
 /* sec:world-register: what a program left behind the numbers that a force uses (its stack) is not taken into the world. */
-static void rubbish_behind_a_force_stays_outside(void **unused)
+TEST(rubbish_behind_a_force_stays_outside)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world[2];
     wfDifference d;
@@ -1199,38 +1161,4 @@ static void rubbish_behind_a_force_stays_outside(void **unused)
     }
     assert_ok(wfCompareWorlds(&world[0], &world[1], &d));
     for (int k = 0; k < 2; k++) wfDestroyWorld(&world[k]);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_snapshot_takes_the_world_back),
-        cmocka_unit_test(restoring_clears_what_the_snapshot_had_not),
-        cmocka_unit_test(bad_snapshots_are_refused),
-        cmocka_unit_test(the_first_difference_has_a_name),
-        cmocka_unit_test(a_world_grows_and_nobody_notices),
-        cmocka_unit_test(the_ring_keeps_the_newest),
-        cmocka_unit_test(the_ring_keeps_its_order_whatever_the_sizes),
-        cmocka_unit_test(bad_rings_are_refused),
-        cmocka_unit_test(rollback_is_as_if_it_had_been_known),
-        cmocka_unit_test(a_replay_has_the_same_bits),
-        cmocka_unit_test(a_divergence_has_step_body_and_field),
-        cmocka_unit_test(bad_journals_are_refused),
-        cmocka_unit_test(a_save_comes_back),
-        cmocka_unit_test(a_save_holds_the_world_and_nothing_else),
-        cmocka_unit_test(damage_is_always_noticed),
-        cmocka_unit_test(bursts_are_always_noticed),
-        cmocka_unit_test(strangers_are_refused_by_name),
-        cmocka_unit_test(journals_have_an_envelope),
-        cmocka_unit_test(hostile_journals_do_no_harm),
-        cmocka_unit_test(hostile_files_do_no_harm),
-        cmocka_unit_test(modules_are_kept_and_grow),
-        cmocka_unit_test(broken_rules_are_named),
-        cmocka_unit_test(whatever_a_world_needs_it_can_be_loaded),
-        cmocka_unit_test(every_kept_region_has_a_rule),
-        cmocka_unit_test(no_hook_destroys_its_world),
-        cmocka_unit_test(files_are_replaced_as_a_whole),
-        cmocka_unit_test(rubbish_behind_a_force_stays_outside),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,15 +7,12 @@
 static wfWorld full_of_things(void)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld world;
     def.sleep = 1;
-    assert_ok(wfCreateWorld(&def, &world));
-    return world;
+    return world_with(&def);
 }
 
-static void nothing_is_allocated_after_creation(void **unused)
+TEST(nothing_is_allocated_after_creation)
 {
-    (void)unused;
     if (!OWN_MALLOC) skip();
     static _Alignas(16) uint8_t bytes[1 << 20];
     static uint8_t notes[1 << 12];
@@ -55,9 +52,8 @@ static void nothing_is_allocated_after_creation(void **unused)
 }
 
 /* What a call that allocates does when its n-th allocation fails, for every n. */
-static void every_failed_allocation_is_survived(void **unused)
+TEST(every_failed_allocation_is_survived)
 {
-    (void)unused;
     if (!OWN_MALLOC) skip();
     static _Alignas(16) uint8_t bytes[1 << 20];
     wfWorld source = full_of_things();
@@ -99,9 +95,8 @@ static void every_failed_allocation_is_survived(void **unused)
 }
 
 /* A file that claims much is refused before it has it. Its room is in its header; the bytes of the rest stay as they are. */
-static void no_save_claims_more_than_it_may(void **unused)
+TEST(no_save_claims_more_than_it_may)
 {
-    (void)unused;
     static const char path[] = "build/limit-test.weft";
     wfWorld world = full_of_things(), out;
     add(&world, floor_def());
@@ -151,14 +146,4 @@ static void no_save_claims_more_than_it_may(void **unused)
     remove(path);
     free(bytes);
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(no_save_claims_more_than_it_may),
-        cmocka_unit_test(nothing_is_allocated_after_creation),
-        cmocka_unit_test(every_failed_allocation_is_survived),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

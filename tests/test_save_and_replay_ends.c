@@ -30,9 +30,8 @@ static bool play(const wfWorldDef *def, const char *what)
     return result == WF_OK;
 }
 
-static void settings_at_their_ends(void **state)
+TEST(settings_at_their_ends)
 {
-    (void)state;
     wfWorldDef def;
     EndsNext next = { 0 };
     char what[200];
@@ -43,10 +42,4 @@ static void settings_at_their_ends(void **state)
     }
     assert_int_equal(pairs[0], ENDS_PAIRS);                 /* every value could be put in its place */
     assert_true(alone[0] > 100 && alone[1] > alone[0] / 2 && pairs[1] > pairs[0] / 3);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(settings_at_their_ends) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,12 +10,10 @@ static void assert_at(const wfWorld *world, double x, double y)
     assert_true(o.x == x && o.y == y);
 }
 
-static void a_grown_world_is_where_it_was(void **state)
+TEST(a_grown_world_is_where_it_was)
 {
-    (void)state;
     wfWorldDef wd = wfDefaultWorldDef();
-    wfWorld world;
-    assert_ok(wfCreateWorld(&wd, &world));
+    wfWorld world = world_with(&wd);
     add(&world, floor_def());
     add(&world, ball_def(0, 3, 0.5));
     assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ 1e12, -3e11 }));
@@ -28,12 +26,10 @@ static void a_grown_world_is_where_it_was(void **state)
     wfDestroyWorld(&world);
 }
 
-static void a_snapshot_goes_back_to_where_it_was(void **state)
+TEST(a_snapshot_goes_back_to_where_it_was)
 {
-    (void)state;
     wfWorldDef wd = wfDefaultWorldDef();
-    wfWorld world;
-    assert_ok(wfCreateWorld(&wd, &world));
+    wfWorld world = world_with(&wd);
     add(&world, ball_def(5000, 3, 0.5));
     assert_ok(wfSetWorldOrigin(&world, (wfGlobalPoint){ 1e6, 0 }));
     void *before = copy_of(&world);
@@ -43,12 +39,4 @@ static void a_snapshot_goes_back_to_where_it_was(void **state)
     assert_at(&world, 1e6, 0);
     assert_unchanged(&world, before);
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_grown_world_is_where_it_was), cmocka_unit_test(a_snapshot_goes_back_to_where_it_was)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

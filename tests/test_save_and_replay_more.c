@@ -15,10 +15,9 @@ static wfWorld full_world(int kind)
 {
     bool sleeping = kind == SLEEPING;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld world;
     def.bodyCapacity = 24, def.shapeCapacity = 32, def.jointCapacity = 8, def.forceCapacity = 16;
     def.advanced.materialPairCapacity = 4, def.advanced.compensatedSums = 1, def.sleep = 1, def.maxImpacts = 4;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     wfBodyId id[12], ground = add(&world, floor_def());
     for (int i = 0; i < 12; i++) {
         wfBodyDef d = ball_def(i, 0.4, 0.4);
@@ -154,9 +153,8 @@ static int tried(wfWorld *world, const wfRegion *regions, int r, size_t element,
     return result != WF_OK;
 }
 
-static void either_refused_or_it_goes_on(void **unused)
+TEST(either_refused_or_it_goes_on)
 {
-    (void)unused;
     int refused[WF_REGION_COUNT] = { 0 }, seen = 0;
     signal(SIGALRM, hangs);
     for (int kind = 0; kind < KINDS; kind++) {
@@ -191,10 +189,9 @@ static void either_refused_or_it_goes_on(void **unused)
 static wfWorld lean_world(uint32_t modules)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld world;
     def.modules = modules, def.bodyCapacity = 8;
     def.sleep = (modules & WF_MODULE_SLEEP) != 0, def.advanced.compensatedSums = (modules & WF_MODULE_ROTATION) != 0;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     for (int i = 0; i < 5; i++) {
         wfBodyDef d = wfDefaultBodyDefFor(&world);
         d.type = i == 0 ? WF_STATIC : WF_DYNAMIC, d.position = wfV2((wfReal)i * WF_R(0.7), WF_R(0.4) * (wfReal)i);
@@ -231,9 +228,8 @@ static void loads(const wfWorld *world, size_t at, int32_t word)
 }
 
 /* What a world does not need it has no array for: nothing may be counted there, and nobody may point into it. */
-static void nothing_points_into_what_has_no_room(void **unused)
+TEST(nothing_points_into_what_has_no_room)
 {
-    (void)unused;
     signal(SIGALRM, hangs);
     for (int k = 0; k <= 2 * wfModuleCount; k++) {          /* nothing; each need with what it implies; all that can do without it */
         uint32_t modules = 0, bit = k > 0 ? wfModuleTable[(k - 1) / 2].bit : 0;
@@ -259,9 +255,8 @@ static void nothing_points_into_what_has_no_room(void **unused)
 }
 
 /* What is saved, taken back and changed in the middle of an explosion goes on with its time. */
-static void an_explosion_is_saved_with_its_time(void **unused)
+TEST(an_explosion_is_saved_with_its_time)
 {
-    (void)unused;
     wfWorld world = { .memory = { .owned = 0 } }, loaded;
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, 0), def.timeStep = 30 * WF_R(86400.0);
@@ -287,10 +282,4 @@ static void an_explosion_is_saved_with_its_time(void **unused)
     }
     assert_true(info(&world, wfBodyAt(&world, 0)).velocity.x > 1);
     wfDestroyWorld(&world), wfDestroyWorld(&loaded);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(either_refused_or_it_goes_on), cmocka_unit_test(nothing_points_into_what_has_no_room), cmocka_unit_test(an_explosion_is_saved_with_its_time) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,21 +4,12 @@
 #include "world.h"
 #include "weft/save.h"
 
-static wfBodyDef box_def(double x, double y, double half)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y);
-    assert_ok(wfMakeBox((wfReal)half, (wfReal)half, &def.shape));
-    return def;
-}
-
 static wfWorld yard(int sleeps)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.bodyCapacity = 32;
     def.sleep = sleeps;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     add(&w, floor_def());
     return w;
 }
@@ -29,11 +20,10 @@ static void steps(wfWorld *w, int n)
     assert_ok(wfCheckWorld(w, NULL));
 }
 
-static void others_move_as_if_it_were_not_there(void **unused)
+TEST(others_move_as_if_it_were_not_there)
 {
-    (void)unused;
     wfWorld with = yard(0), without = yard(0);
-    wfBodyId one = add(&with, box_def(0, 2.5, 0.5)), two = add(&without, box_def(0, 2.5, 0.5)), out = add(&with, box_def(0, 0.5, 0.5));
+    wfBodyId one = add(&with, square_def(0, 2.5, 0.5)), two = add(&without, square_def(0, 2.5, 0.5)), out = add(&with, square_def(0, 0.5, 0.5));
     wfJoint j;
     assert_ok(wfDefineJoint(&with, "revolute", one, out, wfV2(0, 1), wfV2(0, 1), wfV2(1, 0), &j));
     assert_ok(wfAddJointToWorld(&with, &j, NULL));
@@ -51,22 +41,20 @@ static void others_move_as_if_it_were_not_there(void **unused)
     wfDestroyWorld(&without);
 }
 
-static void it_stays_with_every_method(void **unused)
+TEST(it_stays_with_every_method)
 {
-    (void)unused;
     for (int solver = 0; solver < wfSolverCount; solver++)
         for (int integrator = 0; integrator < wfIntegratorCount; integrator++) {
             wfWorldDef def = wfDefaultWorldDef();
-            wfWorld w;
             def.bodyCapacity = 16;
             def.solver = solver;
             def.integrator = integrator;
-            assert_ok(wfCreateWorld(&def, &w));
+            wfWorld w = world_with(&def);
             add(&w, floor_def());
-            wfBodyDef d = box_def(3, 1, 0.5);
+            wfBodyDef d = square_def(3, 1, 0.5);
             d.velocity = wfV2(5, 7);
             d.angularVelocity = 3;
-            wfBodyId out = add(&w, d), other = add(&w, box_def(3, 3, 0.5));
+            wfBodyId out = add(&w, d), other = add(&w, square_def(3, 3, 0.5));
             assert_ok(wfEnableBody(&w, out, 0));
             wfBodyState before = wfWorldBodies(&w).state[wfBodyIndex(&w, out)];
             assert_ok(wfApplyForceToBody(&w, out, wfV2(100, 0), wfV2(3, 1)));
@@ -80,9 +68,8 @@ static void it_stays_with_every_method(void **unused)
         }
 }
 
-static void nothing_finds_it(void **unused)
+TEST(nothing_finds_it)
 {
-    (void)unused;
     wfWorld w = yard(0);
     wfBodyId box, hit;
     wfRayHit ray;
@@ -94,7 +81,7 @@ static void nothing_finds_it(void **unused)
     wfBodyDef post = wfDefaultBodyDef();
     post.type = WF_STATIC;
     assert_ok(wfAddShapeToBody(&w, add(&w, post), &zone, NULL));
-    box = add(&w, box_def(0, 0.5, 0.5));
+    box = add(&w, square_def(0, 0.5, 0.5));
     wfFilter solid = wfDefaultFilter();
     solid.mask = 1;
     steps(&w, 2);
@@ -128,15 +115,14 @@ static void nothing_finds_it(void **unused)
 }
 
 /* A sleeper of each kind: on the body, hinged to it, on a spring from it; the body moves, or is a wall. */
-static void who_leans_or_hangs_on_it_is_woken(void **unused)
+TEST(who_leans_or_hangs_on_it_is_woken)
 {
-    (void)unused;
     for (int wall = 0; wall < 2; wall++)
         for (int how = 0; how < 3; how++) {
             wfWorld w = yard(1);
-            wfBodyDef d = box_def(0, 0.5, 0.5);
+            wfBodyDef d = square_def(0, 0.5, 0.5);
             if (wall) d.type = WF_STATIC;
-            wfBodyId out = add(&w, d), other = add(&w, box_def(how ? 1.5 : 0, how ? 0.5 : 1.5, 0.5));
+            wfBodyId out = add(&w, d), other = add(&w, square_def(how ? 1.5 : 0, how ? 0.5 : 1.5, 0.5));
             wfJoint j;
             wfForce spring = wfSpring(wfBodyIndex(&w, out), wfV2(0, 0), wfBodyIndex(&w, other), wfV2(0, 0), WF_R(1.5), 20, 1);
             assert_ok(wfDefineJoint(&w, "revolute", out, other, wfV2(WF_R(0.75), WF_R(0.5)), wfV2(WF_R(0.75), WF_R(0.5)), wfV2(1, 0), &j));
@@ -159,12 +145,11 @@ static void who_leans_or_hangs_on_it_is_woken(void **unused)
         }
 }
 
-static void a_touch_of_sleepers_ends(void **unused)
+TEST(a_touch_of_sleepers_ends)
 {
-    (void)unused;
     wfWorld w = yard(1);
     int32_t n = 0, ended = 0;
-    wfBodyId box = add(&w, box_def(0, 0.5, 0.5));
+    wfBodyId box = add(&w, square_def(0, 0.5, 0.5));
     steps(&w, 200);
     assert_false(wfBodyIsAwake(&w, box));
     assert_ok(wfEnableBody(&w, box, 0));
@@ -178,15 +163,14 @@ static void a_touch_of_sleepers_ends(void **unused)
     wfDestroyWorld(&w);
 }
 
-static void it_is_kept_and_played_again(void **unused)
+TEST(it_is_kept_and_played_again)
 {
-    (void)unused;
     static uint8_t bytes[1 << 16], log[1 << 12];
     wfWorld w = yard(1), clone, back;
     wfJournal j;
     size_t size;
-    wfBodyId box = add(&w, box_def(0, 0.5, 0.5));
-    add(&w, box_def(0, 1.5, 0.5));
+    wfBodyId box = add(&w, square_def(0, 0.5, 0.5));
+    add(&w, square_def(0, 1.5, 0.5));
     assert_ok(wfCloneWorld(&w, NULL, &clone));
     assert_ok(wfJournalInit(&j, log, sizeof log, 1));
     wfInput in = { .kind = WF_INPUT_ENABLE, .index = box.index, .generation = box.generation };
@@ -204,22 +188,9 @@ static void it_is_kept_and_played_again(void **unused)
     assert_result(WF_ERROR_RANGE, wfGiveInput(&w, &j, &in, NULL));
     assert_ok(wfRemoveBodyFromWorld(&w, box));                          /* and its place is as any other */
     assert_result(WF_ERROR_STALE_ID, wfEnableBody(&w, box, 1));
-    assert_true(wfBodyIsEnabled(&w, add(&w, box_def(5, 3, 0.5))));
+    assert_true(wfBodyIsEnabled(&w, add(&w, square_def(5, 3, 0.5))));
     steps(&w, 30);
     wfDestroyWorld(&w);
     wfDestroyWorld(&clone);
     wfDestroyWorld(&back);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(others_move_as_if_it_were_not_there),
-        cmocka_unit_test(it_stays_with_every_method),
-        cmocka_unit_test(nothing_finds_it),
-        cmocka_unit_test(who_leans_or_hangs_on_it_is_woken),
-        cmocka_unit_test(a_touch_of_sleepers_ends),
-        cmocka_unit_test(it_is_kept_and_played_again),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,5 @@
 /* Why a call was refused: wfLastFault names the call, the field and the value, tells what is allowed, and its advice works. */
 #include <float.h>
-#include <math.h>
 #include "testing.h"
 #include "world.h"
 
@@ -109,12 +108,10 @@ static const wfNumber pair_numbers[] = {
 };
 #define COUNT(list) (int)(sizeof list / sizeof *list)
 
-static void every_number_of_a_definition(void **unused)
+TEST(every_number_of_a_definition)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     wfBodyDef body = ball_def(0, 0, 1);
     wfShapeDef shape = wfDefaultShapeDef();
     wfPairMaterial pair = { .friction = 1 };
@@ -160,12 +157,10 @@ static void expect(const wfWorld *w, wfResult result, wfResult got, const char *
     assert_string_equal(wfLastFault(w)->text, text);
 }
 
-static void every_argument_of_a_body(void **unused)
+TEST(every_argument_of_a_body)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     wfBodyId b = add(&w, ball_def(0, 0, 1)), wall = add(&w, floor_def()), gone = add(&w, ball_def(9, 0, 1));
     assert_ok(wfRemoveBodyFromWorld(&w, gone));
     assert_int_equal(wfLastFault(&w)->result, WF_OK);
@@ -203,9 +198,8 @@ static void every_argument_of_a_body(void **unused)
 }
 
 /* ---- settings -------------------------------------------------------------------------------------------------------------------- */
-static void every_setting(void **unused)
+TEST(every_setting)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w, none;
     assert_ok(wfCreateWorld(&def, &w));
@@ -261,9 +255,8 @@ static wfResult add_known(wfWorld *w)
 }
 static wfResult step(wfWorld *w) { return wfStepWorld(w); }
 
-static void everything_that_may_be_full(void **unused)
+TEST(everything_that_may_be_full)
 {
-    (void)unused;
     static const struct { const char *capacity; wfResult (*add)(wfWorld *w); int32_t least; } kinds[] = {
         { "bodyCapacity", add_ball, 21 }, { "shapeCapacity", add_three, 21 }, { "forceCapacity", add_wind, 1 }, { "jointCapacity", add_rod, 1 },
         { "materialPairCapacity", add_known, 1 }, { "pairCapacity", step, 1 }, { "contactCapacity", step, 1 },
@@ -271,10 +264,9 @@ static void everything_that_may_be_full(void **unused)
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (int32_t room = kinds[k].least; room < kinds[k].least + 3; room++) {
             wfWorldDef def = wfDefaultWorldDef();
-            wfWorld w;
             def.bodyCapacity = def.shapeCapacity = 40;
             assert_ok(wfPutSetting(&def, wfFindSetting(kinds[k].capacity), 0, room));
-            assert_ok(wfCreateWorld(&def, &w));
+            wfWorld w = world_with(&def);
             wfBodyId id[20];
             for (int i = 0; i < 20; i++) id[i] = add(&w, ball_def(0, 1.5 * i, 1));
             crate = id[0], other = id[2];
@@ -298,13 +290,11 @@ static void everything_that_may_be_full(void **unused)
 }
 
 /* ---- rules, and the words -------------------------------------------------------------------------------------------------------- */
-static void rules_of_two_fields(void **unused)
+TEST(rules_of_two_fields)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     wfJoint j;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     wfBodyId a = add(&w, ball_def(0, 0, 1)), b = add(&w, ball_def(3, 0, 1)), stale = { 7, 7 };
     wfVec2 o = wfV2(0, 0), x = wfV2(1, 0);
     wfBodyDef wall = floor_def();
@@ -351,12 +341,10 @@ static void rules_of_two_fields(void **unused)
 }
 
 /* The number in the words is the number, to seven digits, and whole ones to the last. */
-static void numbers_are_written_right(void **unused)
+TEST(numbers_are_written_right)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     wfBodyId b = add(&w, ball_def(0, 0, 1));
     uint32_t bits = 1;
     for (int i = 0; i < 20000; i++) {
@@ -376,13 +364,4 @@ static void numbers_are_written_right(void **unused)
         assert_near(read, -(double)x, (double)x < 1e15 && (double)x == floor((double)x) ? 0 : 5.1e-7 * (double)x);
     }
     wfDestroyWorld(&w);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_number_of_a_definition), cmocka_unit_test(every_argument_of_a_body), cmocka_unit_test(every_setting),
-        cmocka_unit_test(everything_that_may_be_full), cmocka_unit_test(rules_of_two_fields), cmocka_unit_test(numbers_are_written_right),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -31,9 +31,8 @@ static void fill(wfWorld *w, int n)
     }
 }
 
-static void it_grows_by_itself_and_moves_as_one_that_was_large(void **unused)
+TEST(it_grows_by_itself_and_moves_as_one_that_was_large)
 {
-    (void)unused;
     enum { BALLS = 120, STEPS = 120 };
     wfWorldDef large = small_def(0), is;
     large.bodyCapacity = BALLS + 1, large.shapeCapacity = 3 * BALLS + 1;
@@ -60,17 +59,15 @@ static void it_grows_by_itself_and_moves_as_one_that_was_large(void **unused)
     wfDestroyWorld(&was);
 }
 
-static void without_it_or_its_own_memory_it_is_refused(void **unused)
+TEST(without_it_or_its_own_memory_it_is_refused)
 {
-    (void)unused;
     for (int given = 0; given < 2; given++) {
         wfWorldDef def = small_def(given);
-        wfWorld w;
         size_t size[2];
         assert_ok(wfWorldSize(&def, &size[0], &size[1]));
         void *chunk[2] = { aligned_alloc(WF_POOL_ALIGN, size[0]), aligned_alloc(WF_POOL_ALIGN, size[1]) };
         if (given) def.memory = (wfMemory){ chunk[0], size[0], chunk[1], size[1], 0 };
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         wfBodyDef ball = ball_def(0, 0, 1);
         assert_ok(wfAddBodyToWorld(&w, &ball, NULL));
         void *before = copy_of(&w);
@@ -81,14 +78,12 @@ static void without_it_or_its_own_memory_it_is_refused(void **unused)
     }
 }
 
-static void a_step_says_full_when_it_may_not_grow(void **unused)
+TEST(a_step_says_full_when_it_may_not_grow)
 {
-    (void)unused;
     for (int growth = 0; growth < 2; growth++) {
         wfWorldDef def = small_def(growth);
         def.bodyCapacity = def.shapeCapacity = 32;
-        wfWorld w;
-        assert_ok(wfCreateWorld(&def, &w));
+        wfWorld w = world_with(&def);
         for (int i = 0; i < 32; i++) add(&w, ball_def(i % 4, i / 4, 0.6));
         uint64_t hash = wfHashWorld(&w);
         assert_result(growth ? WF_OK : WF_ERROR_FULL, wfStepWorldTimed(&w, NULL));
@@ -97,12 +92,10 @@ static void a_step_says_full_when_it_may_not_grow(void **unused)
     }
 }
 
-static void capacities_that_followed_follow_again(void **unused)
+TEST(capacities_that_followed_follow_again)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef(), now;
-    wfWorld w;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     assert_ok(wfGetWorldDef(&w, &now));
     now.bodyCapacity = 1000;
     assert_ok(wfGrowWorld(&w, &now));
@@ -128,9 +121,8 @@ static void capacities_that_followed_follow_again(void **unused)
     wfDestroyWorld(&w);
 }
 
-static void it_begins_small(void **unused)
+TEST(it_begins_small)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef(), more;
     size_t size[2], other[2];
     def.advanced.growth = 1;
@@ -141,16 +133,4 @@ static void it_begins_small(void **unused)
     size_t real = sizeof(wfReal) / sizeof(float);           /* the book's numbers are of floats */
     assert_true(size[0] + size[1] < real * 1100000);
     assert_true((other[0] + other[1] - size[0] - size[1]) / 256 < real * 3500);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(it_grows_by_itself_and_moves_as_one_that_was_large),
-        cmocka_unit_test(without_it_or_its_own_memory_it_is_refused),
-        cmocka_unit_test(a_step_says_full_when_it_may_not_grow),
-        cmocka_unit_test(capacities_that_followed_follow_again),
-        cmocka_unit_test(it_begins_small),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

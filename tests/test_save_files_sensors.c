@@ -51,9 +51,8 @@ static int32_t told(const wfWorld *w, int kind)
     return count;
 }
 
-static void a_sensor_put_onto_a_sleeper_lets_it_sleep(void **state)
+TEST(a_sensor_put_onto_a_sleeper_lets_it_sleep)
 {
-    (void)state;
     int methods = wfBroadPhaseCount > wfSolverCount ? wfBroadPhaseCount : wfSolverCount;
     for (int how = 0; how < 6 * methods; how++) {
         wfBodyId crate;
@@ -107,9 +106,8 @@ static void take_apart(wfWorld *w, int way, wfBodyId sensor, wfBodyId crate)
 }
 
 /* Whatever ends it, with every broad phase and solver, and whether the index for queries is kept or not: as many ends as begins. */
-static void what_leaves_a_sleeper_is_told(void **state)
+TEST(what_leaves_a_sleeper_is_told)
 {
-    (void)state;
     int methods = wfBroadPhaseCount > wfSolverCount ? wfBroadPhaseCount : wfSolverCount;
     for (int way = 0; way < WAYS * 4 * methods; way++) {
         wfBodyId crate;
@@ -141,9 +139,8 @@ static void what_leaves_a_sleeper_is_told(void **state)
 }
 
 /* What happens elsewhere makes the step look at sensors again: who was inside is inside, is told once, and is kept once. */
-static void what_happens_elsewhere_changes_nothing(void **state)
+TEST(what_happens_elsewhere_changes_nothing)
 {
-    (void)state;
     int methods = wfBroadPhaseCount > wfSolverCount ? wfBroadPhaseCount : wfSolverCount;
     for (int method = 0; method < methods; method++) {
         wfBodyId crate;
@@ -168,9 +165,8 @@ static void what_happens_elsewhere_changes_nothing(void **state)
 }
 
 /* A kinematic sensor that stands still in a wall, where nothing else moves: it sees the wall in every step. */
-static void a_still_sensor_goes_on_seeing(void **state)
+TEST(a_still_sensor_goes_on_seeing)
 {
-    (void)state;
     for (int sleep = 0; sleep < 2; sleep++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 8, def.sleep = sleep;
@@ -184,13 +180,4 @@ static void a_still_sensor_goes_on_seeing(void **state)
         }
         wfDestroyWorld(&w);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(a_sensor_put_onto_a_sleeper_lets_it_sleep),
-                                        cmocka_unit_test(what_leaves_a_sleeper_is_told),
-                                        cmocka_unit_test(what_happens_elsewhere_changes_nothing),
-                                        cmocka_unit_test(a_still_sensor_goes_on_seeing) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -43,16 +43,14 @@ static wfReal any_real(uint64_t *seed, int how)           /* any finite pattern 
     return u.real;
 }
 
-static void numbers_keep_their_bits(void **unused)
+TEST(numbers_keep_their_bits)
 {
-    (void)unused;
     uint64_t seed = 88172645463325252u;
     for (int round = 0; round < 20; round++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 500;
         def.gravity = wfV2(any_real(&seed, 0), any_real(&seed, 1));
-        wfWorld world;
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         for (int i = 0; i < 500; i++) {
             wfBodyDef b = wfDefaultBodyDef();
             b.mass = 1;
@@ -76,9 +74,8 @@ static void numbers_keep_their_bits(void **unused)
     }
 }
 
-static void eight_digits_are_too_few(void **unused)       /* eq:save-digits: between 1000 and 1024 floats lie closer than decimals */
+TEST(eight_digits_are_too_few)       /* eq:save-digits: between 1000 and 1024 floats lie closer than decimals */
 {
-    (void)unused;
     int shared = 0;
     float last = 1000;
     for (float x = nextafterf(last, 2000); x < 1001; last = x, x = nextafterf(x, 2000)) {
@@ -117,8 +114,7 @@ static wfWorld seesaw_by_hand(void)                       /* the same by the eng
     def.solver = wfFindSolver("soft");
     def.substeps = 6;
     def.advanced.reuseManifolds = 0;
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     wfBodyDef ground = wfDefaultBodyDef(), plank = ground, ball = ground;
     ground.type = WF_STATIC;
     assert_ok(wfMakeSegment(wfV2(-10, 0), wfV2(10, 0), &ground.shape));
@@ -148,9 +144,8 @@ static wfWorld seesaw_by_hand(void)                       /* the same by the eng
     return world;
 }
 
-static void a_text_is_what_the_calls_make(void **unused)
+TEST(a_text_is_what_the_calls_make)
 {
-    (void)unused;
     wfSceneInfo info;
     wfWorld read, made = seesaw_by_hand();
     assert_ok(wfReadScene(seesaw, strlen(seesaw), NULL, &read, &info, NULL));
@@ -170,9 +165,8 @@ static void a_text_is_what_the_calls_make(void **unused)
     wfDestroyWorld(&made);
 }
 
-static void text_of_what_was_read_is_the_text(void **unused)
+TEST(text_of_what_was_read_is_the_text)
 {
-    (void)unused;
     wfWorld world = read_text(seesaw);
     for (int i = 0; i < 100; i++) {
         char *first = write_text(&world);
@@ -205,9 +199,8 @@ static void shape_is(const char *text, const wfShape *want, int count)
     wfDestroyWorld(&world), wfDestroyWorld(&again);
 }
 
-static void every_form_makes_its_shape(void **unused)
+TEST(every_form_makes_its_shape)
 {
-    (void)unused;
     wfShape s[8];
     int n;
     assert_ok(wfMakeCircle(wfV2(1, 2), 3, s));
@@ -237,9 +230,8 @@ static void every_form_makes_its_shape(void **unused)
     shape_is("{\"kind\": \"chain\", \"loop\": true, \"vertices\": [[4, 1], [2, 0], [0, 0], [-2, 1]]}", s, n);
 }
 
-static void an_outline_is_cut_up(void **unused)
+TEST(an_outline_is_cut_up)
 {
-    (void)unused;
     wfWorld world = read_text("{\"weft\": 1, \"bodies\": [{\"shapes\": [{\"kind\": \"outline\", \"density\": 2, \"vertices\": "
                               "[[0, 0], [2, 0], [2, 1], [1, 1], [1, 2], [0, 2]]}]}]}");
     assert_true(wfShapeCount(&world) >= 2);
@@ -249,13 +241,11 @@ static void an_outline_is_cut_up(void **unused)
 
 /* ------------------------------------------------------------------------------ what is easily lost */
 
-static void what_is_easily_lost(void **unused)
+TEST(what_is_easily_lost)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.sleep = 1;
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     wfBodyDef d = ball_def(3, 4, 0.5);
     wfBodyId first = add(&world, d);
     d.neverSleeps = 1;
@@ -310,9 +300,8 @@ static void what_is_easily_lost(void **unused)
 
 /* Every row of the table of settings, with a value that is not the default: it is written, and comes back with its bits. Who adds a
  * setting need not think of texts. */
-static void every_setting_comes_back(void **unused)
+TEST(every_setting_comes_back)
 {
-    (void)unused;
     int tried = 0, skipped = 0;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
@@ -357,13 +346,11 @@ static void every_setting_comes_back(void **unused)
 }
 
 /* What a state has rounded away is in the text, too: with compensatedSums the future of what touches nothing has the same bits. */
-static void fine_sums_come_back(void **unused)
+TEST(fine_sums_come_back)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.advanced.compensatedSums = 1;
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     for (int i = 0; i < 6; i++) {
         wfBodyDef d = ball_def(3 * i, 4, 0.5);
         d.velocity = wfV2(WF_R(0.1) * (wfReal)i, 30);
@@ -395,9 +382,8 @@ static void fine_sums_come_back(void **unused)
 }
 
 /* A force has its own time, and the text knows it. */
-static void an_explosion_goes_on(void **unused)
+TEST(an_explosion_goes_on)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.gravity = wfV2(0, 0);
     wfWorld world, bad;
@@ -424,13 +410,11 @@ static void an_explosion_goes_on(void **unused)
     wfDestroyWorld(&world), wfDestroyWorld(&read);
 }
 
-static void a_world_for_little_stays_one(void **unused)   /* its arrays for what it does not need are not there to be read */
+TEST(a_world_for_little_stays_one)   /* its arrays for what it does not need are not there to be read */
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.modules = WF_MODULE_SHAPES | WF_MODULE_ROTATION;
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     wfBodyDef d = ball_def(1, 2, 0.5);
     d.angularVelocity = 3;
     add(&world, d);
@@ -521,9 +505,8 @@ static const struct { const char *text, *where; int line; wfResult result; const
     { "{ \"weft\": 1, \"pairMaterials\": [ { \"a\": 1 } ] }", "pairMaterials[0]", 1, WF_ERROR_TEXT, "`a' and `b'" },
 };
 
-static void errors_say_where_and_what(void **unused)
+TEST(errors_say_where_and_what)
 {
-    (void)unused;
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
         wfWorld world = { .memory = { .owned = 7 } };
         wfTextError e;
@@ -536,9 +519,8 @@ static void errors_say_where_and_what(void **unused)
     }
 }
 
-static void bad_texts_leave_memory_alone(void **unused)
+TEST(bad_texts_leave_memory_alone)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     size_t permanent, transient;
     assert_ok(wfWorldSize(&def, &permanent, &transient));
@@ -569,9 +551,8 @@ static void bad_texts_leave_memory_alone(void **unused)
     wfFreeMemory(&memory);
 }
 
-static void limits_of_a_text(void **unused)
+TEST(limits_of_a_text)
 {
-    (void)unused;
     wfWorld world;
     wfTextError e;
     char deep[4 * WF_SCENE_DEPTH + 100] = "{\"weft\": 1, \"bodies\": ";
@@ -618,9 +599,8 @@ static size_t encode(uint32_t c, int length, char *out)         /* in so many by
 
 static int shortest(uint32_t c) { return c < 0x80 ? 1 : c < 0x800 ? 2 : c < 0x10000 ? 3 : 4; }
 
-static void characters_are_utf8(void **unused)
+TEST(characters_are_utf8)
 {
-    (void)unused;
     static const uint32_t most[] = { 0, 0x80, 0x800, 0x10000, 0x200000 };
     char text[40];
     int32_t line;
@@ -644,9 +624,8 @@ static void characters_are_utf8(void **unused)
     }
 }
 
-static void escapes_are_those_of_json(void **unused)
+TEST(escapes_are_those_of_json)
 {
-    (void)unused;
     char text[60];
     int32_t line;
     for (int c = 0; c < 0x10000; c++) {
@@ -667,9 +646,8 @@ static void escapes_are_those_of_json(void **unused)
     }
 }
 
-static void numbers_are_those_of_json(void **unused)
+TEST(numbers_are_those_of_json)
 {
-    (void)unused;
     static const char *const good[] = { "0", "-0", "7", "10", "-10", "0.5", "1.25", "1e5", "1E+5", "0e-5", "-0.0e0", "123456789012345678901234567890", "true", "false", "null" };
     static const char *const wrong[] = { "01", "-01", "00", "+1", "1.", ".5", "-.5", "-", "1e", "1e+", "1.e5", "0x10", "1_000", "1,", "--1", "1-2", "1+2", "1e5.5", "1.2.3",
         "NaN", "Infinity", "-Infinity", "True", "nul", "nulll", "tru", "'a'", "1/*2*/", "1 2", "\"a\" \"b\"", "1;", "inf", "1f", "1\xC2\xA0" };
@@ -699,9 +677,8 @@ static void numbers_are_those_of_json(void **unused)
 }
 
 /* What the writer writes, the reader reads: so texts that are none are not written. */
-static void only_texts_are_written(void **unused)
+TEST(only_texts_are_written)
 {
-    (void)unused;
     wfWorld world = read_text("{\"weft\": 1}");
     char *text = NULL;
     wfSceneInfo no = { .energyBound = -1, .depthBound = -1 }, one = no, two = no, three = no, good = no;
@@ -742,9 +719,8 @@ static void uncounted(void *p)
 }
 
 /* Texts that are small and ask for much: each is refused before it has it, and read when that much is allowed. */
-static void no_text_takes_more_than_it_may(void **unused)
+TEST(no_text_takes_more_than_it_may)
 {
-    (void)unused;
     enum { N = 20000, FEWER = 2000 };         /* FEWER: a body is bounded anew with each of its shapes */
     static const struct { const char *begin, *each, *end; bool scene; int n; } text[] = {
         { "[", "0,", "0]", false, N },
@@ -811,9 +787,8 @@ static char *with(const char *text, const char *from, const char *to)
     return out;
 }
 
-static void a_change_by_hand_is_noticed(void **unused)
+TEST(a_change_by_hand_is_noticed)
 {
-    (void)unused;
     char *plain = with(seesaw, "\"halfHeight\": 0.125,", "\"halfHeight\": 0.125, \"centre\": [0.3, 0.1],");
     char *two = with(plain, "\"density\": 2 }", "\"density\": 2 }, { \"kind\": \"circle\", \"radius\": 0.3, \"centre\": [0.7, 0.77] }");
     wfWorld world = read_text(two), read;
@@ -848,9 +823,8 @@ static void a_change_by_hand_is_noticed(void **unused)
 static int left;
 static void *scarce(size_t n) { return left-- > 0 ? malloc(n) : NULL; }
 
-static void every_failed_allocation_is_an_error(void **unused)
+TEST(every_failed_allocation_is_an_error)
 {
-    (void)unused;
     cJSON_Hooks hooks = { scarce, free };
     char *plain = with(seesaw, "\"density\": 2 }", "\"density\": 2 }, { \"kind\": \"outline\", \"vertices\": [[0, 0], [2, 0], [2, 1], [1, 1], [1, 2]] }");
     wfWorld world = read_text(plain), read;
@@ -881,18 +855,4 @@ static void every_failed_allocation_is_an_error(void **unused)
     free(text);
     free(plain);
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_keep_their_bits), cmocka_unit_test(eight_digits_are_too_few),
-        cmocka_unit_test(a_text_is_what_the_calls_make), cmocka_unit_test(text_of_what_was_read_is_the_text),
-        cmocka_unit_test(every_form_makes_its_shape), cmocka_unit_test(an_outline_is_cut_up), cmocka_unit_test(what_is_easily_lost), cmocka_unit_test(a_world_for_little_stays_one),
-        cmocka_unit_test(every_setting_comes_back), cmocka_unit_test(fine_sums_come_back), cmocka_unit_test(an_explosion_goes_on),
-        cmocka_unit_test(errors_say_where_and_what), cmocka_unit_test(bad_texts_leave_memory_alone), cmocka_unit_test(characters_are_utf8), cmocka_unit_test(escapes_are_those_of_json), cmocka_unit_test(numbers_are_those_of_json),
-        cmocka_unit_test(only_texts_are_written), cmocka_unit_test(no_text_takes_more_than_it_may), cmocka_unit_test(limits_of_a_text),
-        cmocka_unit_test(a_change_by_hand_is_noticed), cmocka_unit_test(every_failed_allocation_is_an_error),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

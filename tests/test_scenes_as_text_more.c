@@ -46,9 +46,8 @@ static char *read_and_written(const char *text)
     return out;
 }
 
-static void old_words_are_read(void **unused)
+TEST(old_words_are_read)
 {
-    (void)unused;
     static const char *const choices[] = { "iterative", "direct" };
     for (int c = 0; c < 2; c++) {
         char text[4000], old[4000];
@@ -70,9 +69,8 @@ static void old_words_are_read(void **unused)
     }
 }
 
-static void who_says_both_says_it_twice(void **unused)
+TEST(who_says_both_says_it_twice)
 {
-    (void)unused;
     static const char *const texts[] = { "{ \"weft\": 1, \"needs\": [], \"modules\": [] }",
                                          "{ \"weft\": 1, \"settings\": { \"dt\": 0.1, \"timeStep\": 0.1 } }",
                                          "{ \"weft\": 1, \"settings\": { \"timeStep\": 0.1, \"dt\": 0.1 } }",
@@ -85,9 +83,8 @@ static void who_says_both_says_it_twice(void **unused)
     }
 }
 
-static void room_for_materials_is_held_to(void **unused)
+TEST(room_for_materials_is_held_to)
 {
-    (void)unused;
     static const char *const words[] = { "materialPairCapacity", "pairMaterials" };
     for (int i = 0; i < 2; i++) {
         char text[400];
@@ -100,9 +97,8 @@ static void room_for_materials_is_held_to(void **unused)
     }
 }
 
-static void errors_name_the_word_that_was_said(void **unused)
+TEST(errors_name_the_word_that_was_said)
 {
-    (void)unused;
     const char *text = "{ \"weft\": 1, \"settings\": { \"dt\": 0 } }";
     wfWorld world;
     wfTextError e;
@@ -110,9 +106,8 @@ static void errors_name_the_word_that_was_said(void **unused)
     assert_string_equal(e.where, "settings.dt");
 }
 
-static void a_body_that_is_taken_out_and_data_of_a_joint_are_kept(void **unused)
+TEST(a_body_that_is_taken_out_and_data_of_a_joint_are_kept)
 {
-    (void)unused;
     static const char text[] = "{ \"weft\": 1, \"bodies\": ["
         " { \"disabled\": true, \"velocity\": [3, 4], \"shapes\": [ { \"kind\": \"circle\", \"radius\": 1 } ] },"
         " { \"position\": [5, 0], \"shapes\": [ { \"kind\": \"circle\", \"radius\": 1 } ] } ],"
@@ -131,14 +126,4 @@ static void a_body_that_is_taken_out_and_data_of_a_joint_are_kept(void **unused)
     wfDestroyWorld(&world);
     wfFreeText(first);
     wfFreeText(second);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(old_words_are_read),
-        cmocka_unit_test(a_body_that_is_taken_out_and_data_of_a_joint_are_kept), cmocka_unit_test(who_says_both_says_it_twice),
-        cmocka_unit_test(room_for_materials_is_held_to), cmocka_unit_test(errors_name_the_word_that_was_said),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

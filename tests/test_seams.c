@@ -10,11 +10,9 @@ typedef struct Floor { double angle, width, friction, restitution; wfVec2 at; in
 static wfWorld open_world(double rate, wfVec2 gravity)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.timeStep = 1 / (wfReal)rate, def.gravity = gravity, def.sleep = 0;
     def.bodyCapacity = def.shapeCapacity = 600, def.advanced.pairCapacity = 6000, def.advanced.contactCapacity = 3000;
-    assert_ok(wfCreateWorld(&def, &w));
-    return w;
+    return world_with(&def);
 }
 
 /* Each has a side, or its rim, at the distance r below its centre. */
@@ -72,9 +70,8 @@ static wfBodyDef body_on(const Floor *f, wfShape s, double x, double y)
 /* Rows of tiles on one body and on many, in all directions: floors, walls and ceilings, with gravity at a right angle. On a true floor nothing changes
  * but by rounding: the resting depth is the slop, of which a shape's height changes by no more, and gravity adds g h in a step. At the seams discs lost
  * half their speed, and boxes all of it. */
-static void nothing_trips(void **state)
+TEST(nothing_trips)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 22);
     for (int run = 0; run < 120; run++) {
@@ -128,9 +125,8 @@ static wfVec2 thrown(bool tiled, const Floor *f, double size, double v, double a
     return after;
 }
 
-static void tiles_bounce_like_one_box(void **state)
+TEST(tiles_bounce_like_one_box)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 669);
     const double bounces[] = { 0, 0.5, 1 };
@@ -143,9 +139,8 @@ static void tiles_bounce_like_one_box(void **state)
 }
 
 /* A step that is higher than flush (1/256 of the reach) stops a box that slides against it, and a wall does, whose tiles stand on the floor's. */
-static void steps_are_steps(void **state)
+TEST(steps_are_steps)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 625);
     for (int run = 0; run < 60; run++) {
@@ -170,9 +165,8 @@ static void steps_are_steps(void **state)
 }
 
 /* A neighbour that a body does not meet covers nothing of what it meets. */
-static void who_is_not_met_covers_nothing(void **state)
+TEST(who_is_not_met_covers_nothing)
 {
-    (void)state;
     for (int met = 0; met < 2; met++) {
         wfWorld w = open_world(60, wfV2(0, 0));
         wfBodyDef d = wfDefaultBodyDef();
@@ -198,9 +192,8 @@ static void who_is_not_met_covers_nothing(void **state)
 
 /* What is narrow stands where two tiles meet, and in the corner below a wall, though there are tolerances between them. A disc above a gap of a
  * tolerance sinks no more than the slop, a capsule on its end, a triangle on its point and a plank on its corner neither. */
-static void nothing_falls_between(void **state)
+TEST(nothing_falls_between)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 553);
     for (int run = 0; run < 96; run++) {
@@ -231,9 +224,8 @@ static void nothing_falls_between(void **state)
 
 /* Random ground of tiles, flush to a thousandth, and bodies of all kinds thrown into it: nobody's centre gets into the ground, and without bounces
  * kinetic and potential energy together never grow by more than what lifts a body by the slop, and rounding. */
-static void ground_of_tiles_holds(void **state)
+TEST(ground_of_tiles_holds)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 2222);
     for (int run = 0; run < 36; run++) {
@@ -273,17 +265,4 @@ static void ground_of_tiles_holds(void **state)
         }
         wfDestroyWorld(&w);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_trips),
-        cmocka_unit_test(tiles_bounce_like_one_box),
-        cmocka_unit_test(steps_are_steps),
-        cmocka_unit_test(who_is_not_met_covers_nothing),
-        cmocka_unit_test(nothing_falls_between),
-        cmocka_unit_test(ground_of_tiles_holds),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -118,9 +118,8 @@ static double oracle(const Heap *h, double lambda[P], double velocity[P], int *p
     return energy;
 }
 
-static void many_passes_find_the_answer(void **unused)
+TEST(many_passes_find_the_answer)
 {
-    (void)unused;
     wfRandom r = random_stream(16);
     for (int round = 0; round < 60; round++) {
         Heap h;
@@ -149,9 +148,8 @@ static void many_passes_find_the_answer(void **unused)
     }
 }
 
-static void every_pass_lowers_the_energy(void **unused)
+TEST(every_pass_lowers_the_energy)
 {
-    (void)unused;
     wfRandom r = random_stream(161);
     for (int round = 0; round < 100; round++) {
         Heap h;
@@ -169,9 +167,8 @@ static void every_pass_lowers_the_energy(void **unused)
     }
 }
 
-static void with_friction_the_laws_hold(void **unused)
+TEST(with_friction_the_laws_hold)
 {
-    (void)unused;
     wfRandom r = random_stream(162);
     static const char *const rows[] = { "sequential", "sequential-baumgarte" };
     for (int round = 0; round < 400; round++) {
@@ -197,9 +194,8 @@ static void with_friction_the_laws_hold(void **unused)
     }
 }
 
-static void one_pass_by_hand(void **unused)
+TEST(one_pass_by_hand)
 {
-    (void)unused;
     /* A disc of 2 kg, I = 1, r = 1, falls at 3 and slides at 4 on a floor with mu = 1/2. The first pass knows no normal
      * impulse and so no friction: j = 6. The second rubs with up to 3: it would take K_t = 1/2 + 1 = 1.5, 4 / 1.5 = 2.67. */
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 4, -3, 0, 2, 1) };
@@ -242,9 +238,8 @@ static void one_pass_by_hand(void **unused)
     }
 }
 
-static void a_chain_converges_at_its_rate(void **unused)
+TEST(a_chain_converges_at_its_rate)
 {
-    (void)unused;
     enum { H = 10 };
     double error[2];
     for (int run = 0; run < 2; run++) {
@@ -271,9 +266,8 @@ static void a_chain_converges_at_its_rate(void **unused)
     assert_near(error[1] / error[0], rate, 0.02 * rate);
 }
 
-static void what_was_remembered_is_applied_and_taken_back(void **unused)
+TEST(what_was_remembered_is_applied_and_taken_back)
 {
-    (void)unused;
     static const double memory_of[] = { 0, 3, 6, 40 };
     for (int k = 0; k < 4; k++) {
         wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 4, -3, 1, 2, 1) };
@@ -304,9 +298,8 @@ static void what_was_remembered_is_applied_and_taken_back(void **unused)
     assert_true(c.manifold.points[0].normalImpulse == 6 && s[1].v.y == 0);
 }
 
-static void points_apart_may_close(void **unused)
+TEST(points_apart_may_close)
 {
-    (void)unused;
     /* gap 0.02, h = 0.01: an approach of up to 2 m/s is no business of the solver */
     static const double speed[] = { -1, -2, -5 }, want[] = { -1, -2, -2 };
     for (int k = 0; k < 3; k++) {
@@ -325,9 +318,8 @@ static void points_apart_may_close(void **unused)
 
 /* ------------------------------------------------------------------------------ overlap */
 
-static void two_ways_out_of_an_overlap(void **unused)
+TEST(two_ways_out_of_an_overlap)
 {
-    (void)unused;
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 0, 0, 0, 2, 1) };
     wfContact c = touch(s, 0, 1, wfV2(0, 1), wfV2(0, 0), 0.05);
     wfPool pool;
@@ -351,9 +343,8 @@ static void two_ways_out_of_an_overlap(void **unused)
     assert_true(s[1].v.y == 0 && s[1].p.y == 1);
 }
 
-static void overlap_is_shared_by_mass_and_kept_in_place(void **unused)
+TEST(overlap_is_shared_by_mass_and_kept_in_place)
 {
-    (void)unused;
     wfBodyState s[3] = { body(0, 0, 0, 0, 0, 1, 1), body(0, 1, 0, 0, 0, 3, 1), body(0, 2, 0, 0, 0, 2, 1) };
     wfContact c[2] = { touch(s, 0, 1, wfV2(0, 1), wfV2(0, WF_R(0.5)), 0.4), touch(s, 1, 2, wfV2(0, 1), wfV2(0, WF_R(1.5)), 0.2) };
     wfPool pool;
@@ -368,9 +359,8 @@ static void overlap_is_shared_by_mass_and_kept_in_place(void **unused)
     assert_true(pool.used == 0);
 }
 
-static void a_tilted_box_is_turned_straight(void **unused)
+TEST(a_tilted_box_is_turned_straight)
 {
-    (void)unused;
     wfShape floor, box;
     assert_ok(wfMakeBox(10, 1, &floor));
     assert_ok(wfMakeBox(1, WF_R(0.5), &box));
@@ -387,9 +377,8 @@ static void a_tilted_box_is_turned_straight(void **unused)
     assert_near(s[1].p.y, 0.5, 1e-5);
 }
 
-static void gaps_follow_turns_to_second_order(void **unused)
+TEST(gaps_follow_turns_to_second_order)
 {
-    (void)unused;
     /* one corner below and beside the centre: out of an overlap of 0.05 by turning alone (the body is all but fixed) */
     for (int round = 0; round < 2; round++) {
         wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 0, 0, 0, 1e6, 1e-3) };
@@ -407,9 +396,8 @@ static void gaps_follow_turns_to_second_order(void **unused)
 
 /* ------------------------------------------------------------------------------ bounces */
 
-static void cradles_pass_on_the_full_speed(void **unused)
+TEST(cradles_pass_on_the_full_speed)
 {
-    (void)unused;
     enum { BALLS = 9 };
     for (int backwards = 0; backwards < 2; backwards++) {
         wfBodyState s[BALLS];
@@ -429,9 +417,8 @@ static void cradles_pass_on_the_full_speed(void **unused)
     }
 }
 
-static void slow_contacts_rest(void **unused)
+TEST(slow_contacts_rest)
 {
-    (void)unused;
     for (int k = 0; k < 2; k++) {
         wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 0, k ? -0.3 : -0.1, 0, 2, 1) };
         wfContact c = touch(s, 0, 1, wfV2(0, 1), wfV2(0, 0), 0);
@@ -444,9 +431,8 @@ static void slow_contacts_rest(void **unused)
     }
 }
 
-static void too_little_room_changes_nothing(void **unused)
+TEST(too_little_room_changes_nothing)
 {
-    (void)unused;
     int row = wfFindSolver("sequential");
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 0, -1, 0, 2, 1) }, t[2] = { s[0], s[1] };
     wfContact c = touch(s, 0, 1, wfV2(0, 1), wfV2(0, 0), 0.1), d = c;
@@ -481,18 +467,4 @@ static void too_little_room_changes_nothing(void **unused)
     assert_ok(wfSolveVelocities(row, &none));
     assert_ok(wfSolvePositions(row, &none));
     assert_ok(wfSolvePositions(wfFindSolver("sequential-baumgarte"), &none));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(many_passes_find_the_answer), cmocka_unit_test(every_pass_lowers_the_energy),
-        cmocka_unit_test(with_friction_the_laws_hold), cmocka_unit_test(one_pass_by_hand),
-        cmocka_unit_test(a_chain_converges_at_its_rate), cmocka_unit_test(what_was_remembered_is_applied_and_taken_back),
-        cmocka_unit_test(points_apart_may_close), cmocka_unit_test(two_ways_out_of_an_overlap),
-        cmocka_unit_test(overlap_is_shared_by_mass_and_kept_in_place), cmocka_unit_test(a_tilted_box_is_turned_straight),
-        cmocka_unit_test(gaps_follow_turns_to_second_order), cmocka_unit_test(cradles_pass_on_the_full_speed),
-        cmocka_unit_test(slow_contacts_rest), cmocka_unit_test(too_little_room_changes_nothing),
-    };
-    return cmocka_run_group_tests_name("16 sequential impulses", tests, NULL, NULL);
 }

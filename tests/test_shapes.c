@@ -91,9 +91,8 @@ static Moments integrate(const wfShape *s, wfVec2 about)
 }
 
 /* ---- makers ------------------------------------------------------------------------------------------------------- */
-static void a_circle_is_what_was_asked_for(void **state)
+TEST(a_circle_is_what_was_asked_for)
 {
-    (void)state;
     wfShape s;
     assert_ok(wfMakeCircle(wfV2(1, -2), 3, &s));
     assert_int_equal(s.kind, WF_SHAPE_CIRCLE);
@@ -105,9 +104,8 @@ static void a_circle_is_what_was_asked_for(void **state)
     assert_ok(wfMakeCircle(wfV2(-WF_MAX_SIZE / 2, 0), WF_MAX_SIZE / 2, &s));
 }
 
-static void a_bad_circle_is_refused(void **state)
+TEST(a_bad_circle_is_refused)
 {
-    (void)state;
     wfShape s;
     wfReal edge = WF_MAX_SIZE * WF_R(0.75);
     assert_result(WF_ERROR_NULL, wfMakeCircle(wfV2(0, 0), 1, NULL));
@@ -122,9 +120,8 @@ static void a_bad_circle_is_refused(void **state)
     for (int i = 0; i < 4; i++) assert_refused(WF_ERROR_SIZE, wfMakeCircle(at[i], edge / 2, &s), s);
 }
 
-static void a_box_has_its_four_corners(void **state)
+TEST(a_box_has_its_four_corners)
 {
-    (void)state;
     static const wfReal x[4] = { -2, 2, 2, -2 }, y[4] = { -1, -1, 1, 1 }, nx[4] = { 0, 1, 0, -1 }, ny[4] = { -1, 0, 1, 0 };
     wfShape s;
     assert_ok(wfMakeBox(2, 1, &s));
@@ -141,9 +138,8 @@ static void a_box_has_its_four_corners(void **state)
 
 /* A corner is c + cos a * hw - sin a * hh and the like: two products and two sums, each rounded once, and the engine's sine,
    off by one rounding: at most 5 roundings of numbers up to |c| + hw + hh. */
-static void a_turned_box_is_turned_and_moved(void **state)
+TEST(a_turned_box_is_turned_and_moved)
 {
-    (void)state;
     static const double cx[4] = { -1, 1, 1, -1 }, cy[4] = { -1, -1, 1, 1 }, nx[4] = { 0, 1, 0, -1 }, ny[4] = { -1, 0, 1, 0 };
     wfRandom r = random_stream(70);
     for (int k = 0; k < 200; k++) {
@@ -164,9 +160,8 @@ static void a_turned_box_is_turned_and_moved(void **state)
     }
 }
 
-static void a_bad_box_is_refused(void **state)
+TEST(a_bad_box_is_refused)
 {
-    (void)state;
     wfShape s;
     assert_result(WF_ERROR_NULL, wfMakeBox(1, 1, NULL));
     assert_result(WF_ERROR_NULL, wfMakeOrientedBox(wfV2(0, 0), 1, 1, 0, NULL));
@@ -196,9 +191,8 @@ static void a_bad_box_is_refused(void **state)
 }
 
 /* At a million metres a float's neighbours are 6 cm apart: no box of 1 cm can be held there, and the maker says so. */
-static void a_box_that_rounding_bends_is_refused(void **state)
+TEST(a_box_that_rounding_bends_is_refused)
 {
-    (void)state;
     wfShape s = marked();
     wfReal far = WF_MAX_SIZE / 2, half = far * WF_EPSILON / 4;
     if (half < WF_MIN_SIZE) { assert_refused(WF_ERROR_SIZE, wfMakeOrientedBox(wfV2(far, far), half, half, 1, &s), s); return; }
@@ -227,9 +221,8 @@ static bool same_ring(const wfVec2 *a, const wfVec2 *b, int n)
     return false;
 }
 
-static void the_hull_of_a_littered_square_is_the_square(void **state)
+TEST(the_hull_of_a_littered_square_is_the_square)
 {
-    (void)state;
     static const wfReal scale[] = { WF_R(0.0009765625), 1, 1024 };       /* about 1 mm, 1 m, 1 km */
     wfRandom r = random_stream(71);
     wfShape in_order[6];
@@ -252,9 +245,8 @@ static void the_hull_of_a_littered_square_is_the_square(void **state)
     }
 }
 
-static void clockwise_input_gives_the_same_shape(void **state)
+TEST(clockwise_input_gives_the_same_shape)
 {
-    (void)state;
     wfVec2 p[7], q[7];
     regular(p, 7, wfV2(1, 2), 3, 0.1);
     for (int i = 0; i < 7; i++) q[i] = p[6 - i];
@@ -278,9 +270,8 @@ static double outside_by(const wfShape *s, wfVec2 p)
 /* What makes a hull a hull, for random clouds of every sort: its corners are points of the cloud, it turns left at each by
    more than nothing, and no point is outside. A point that was not taken in is at most one tolerance outside; each corner
    that was dropped afterwards moved the border by at most one more. Corners dropped are rare: two tolerances are allowed. */
-static void a_hull_holds_every_point(void **state)
+TEST(a_hull_holds_every_point)
 {
-    (void)state;
     wfRandom r = random_stream(72);
     int made = 0;
     for (int k = 0; k < 3000; k++) {
@@ -314,9 +305,8 @@ static void a_hull_holds_every_point(void **state)
     assert_true(made > 1500);
 }
 
-static void a_hull_is_its_own_hull(void **state)
+TEST(a_hull_is_its_own_hull)
 {
-    (void)state;
     wfRandom r = random_stream(73);
     for (int k = 0; k < 300; k++) {
         wfVec2 p[12];
@@ -328,9 +318,8 @@ static void a_hull_is_its_own_hull(void **state)
 }
 
 /* A corner that sticks out of the edge below by less than the tolerance is flat, by more it is a corner; whatever the size. */
-static void flatness_is_relative_to_the_size(void **state)
+TEST(flatness_is_relative_to_the_size)
 {
-    (void)state;
     for (int k = -10; k <= 13; k++) {
         wfReal u = (wfReal)ldexp(1, k), out = WF_HULL_TOLERANCE * u;
         wfVec2 p[5] = { { { 0, 0 } }, { { u / 2, -2 * out } }, { { u, 0 } }, { { u, u } }, { { 0, u } } };
@@ -365,9 +354,8 @@ static void flatness_is_relative_to_the_size(void **state)
     }
 }
 
-static void a_bad_polygon_is_refused(void **state)
+TEST(a_bad_polygon_is_refused)
 {
-    (void)state;
     wfVec2 p[40], good[3] = { { { 0, 0 } }, { { 1, 0 } }, { { 0, 1 } } };
     wfShape s;
     assert_result(WF_ERROR_NULL, wfMakePolygon(NULL, 3, &s));
@@ -400,9 +388,8 @@ static void a_bad_polygon_is_refused(void **state)
     for (int n = 17; n <= 40; n++) assert_refused(WF_ERROR_TOO_MANY, wfMakePolygon(p, regular(p, n, wfV2(0, 0), 1, 0), &s), s);
 }
 
-static void the_bare_hull_agrees(void **state)
+TEST(the_bare_hull_agrees)
 {
-    (void)state;
     wfVec2 p[40], out[40];
     for (int n = 3; n <= 40; n++) {                           /* no limit of 16 here: room for n is always enough */
         regular(p, n, wfV2(-1, 4), 2, 0.3);
@@ -416,9 +403,8 @@ static void the_bare_hull_agrees(void **state)
     assert_int_equal(wfConvexHull(p, 9, out), 0);
 }
 
-static void normals_stand_on_their_edges(void **state)
+TEST(normals_stand_on_their_edges)
 {
-    (void)state;
     wfRandom r = random_stream(74);
     for (int k = 0; k < 300; k++) {
         wfVec2 p[9];
@@ -438,9 +424,8 @@ static void normals_stand_on_their_edges(void **state)
    <= (n + 8), of a mass density * area one more. 24 roundings cover them all. */
 #define MASS_ULPS (24 * EPS)
 
-static void mass_data_match_the_closed_forms(void **state)
+TEST(mass_data_match_the_closed_forms)
 {
-    (void)state;
     wfRandom r = random_stream(75);
     wfMassData d;
     wfShape s;
@@ -466,9 +451,8 @@ static void mass_data_match_the_closed_forms(void **state)
 /* Regular polygon of circumradius R: A = n R^2 sin(2 pi/n)/2, J = m R^2 (1 - 2/3 sin^2(pi/n))/2. Right triangle with legs a, b:
    J = m (a^2 + b^2)/18, centroid at a third of each. The corners are rounded to reals, which moves them by half a rounding
    each: another 4 roundings on the inertia. */
-static void regular_polygons_and_triangles_too(void **state)
+TEST(regular_polygons_and_triangles_too)
 {
-    (void)state;
     wfVec2 p[16];
     wfMassData d;
     for (int n = 3; n <= 16; n++) {
@@ -491,9 +475,8 @@ static void regular_polygons_and_triangles_too(void **state)
     assert_near2(wfShapeCentroid(&g), wfV2(2, 4), 8 * EPS * 4);
 }
 
-static void mass_data_match_the_quadrature(void **state)
+TEST(mass_data_match_the_quadrature)
 {
-    (void)state;
     wfRandom r = random_stream(76);
     for (int k = 0; k < 500; k++) {
         wfVec2 p[14], away = random_v2(&r, -10, 10);
@@ -523,9 +506,8 @@ static void mass_data_match_the_quadrature(void **state)
 
 /* Every operation of the mass code is a product, a sum or a quotient, so scaling by a power of two scales the result exactly,
    bit for bit: area by u^2, inertia at unit density by u^4. A dropped or doubled factor of length cannot hide. */
-static void scaling_by_two_is_exact(void **state)
+TEST(scaling_by_two_is_exact)
 {
-    (void)state;
     wfRandom r = random_stream(77);
     for (int k = 0; k < 200; k++) {
         wfVec2 p[8], q[8];
@@ -544,9 +526,8 @@ static void scaling_by_two_is_exact(void **state)
 
 /* A shape's mass does not depend on where its origin is. With coordinates that stay exact under the move, neither do the
    bits: all sums are relative to a corner or to the centroid. The centroid itself rounds at its new distance. */
-static void far_from_the_origin_nothing_is_lost(void **state)
+TEST(far_from_the_origin_nothing_is_lost)
 {
-    (void)state;
     wfVec2 p[5] = { { { 0, 0 } }, { { 1, WF_R(0.25) } }, { { WF_R(1.5), 1 } }, { { WF_R(0.5), WF_R(1.75) } }, { { -WF_R(0.25), 1 } } }, q[5];
     wfShape a = polygon(p, 5);
     wfMassData da, db;
@@ -562,9 +543,8 @@ static void far_from_the_origin_nothing_is_lost(void **state)
     }
 }
 
-static void turning_changes_no_inertia(void **state)
+TEST(turning_changes_no_inertia)
 {
-    (void)state;
     wfRandom r = random_stream(78);
     for (int k = 0; k < 200; k++) {
         wfShape a, b;
@@ -580,9 +560,8 @@ static void turning_changes_no_inertia(void **state)
     }
 }
 
-static void a_known_mass_sets_the_density(void **state)
+TEST(a_known_mass_sets_the_density)
 {
-    (void)state;
     wfShape s;
     wfMassData d;
     assert_ok(wfMakeBox(1, 2, &s));
@@ -593,9 +572,8 @@ static void a_known_mass_sets_the_density(void **state)
     assert_near(wfInertiaAbout(&d, wfV2(-1, 1)), 5 * (4 + 16) / 12.0 + 5 * 2, MASS_ULPS * 20);
 }
 
-static void bad_masses_are_refused(void **state)
+TEST(bad_masses_are_refused)
 {
-    (void)state;
     wfShape s, none = { .kind = WF_SHAPE_NONE };
     wfMassData d = { 1, { { 2, 3 } }, 4, 5 }, before = d;
     assert_ok(wfMakeBox(1, 1, &s));
@@ -633,9 +611,8 @@ static void bad_masses_are_refused(void **state)
 
 /* ---- questions ----------------------------------------------------------------------------------------------------- */
 /* Placing a corner costs 4 roundings of its distance from the world's origin, at most 13 here. */
-static void bounds_fit_tightly(void **state)
+TEST(bounds_fit_tightly)
 {
-    (void)state;
     wfRandom r = random_stream(79);
     wfShape s, none = { .kind = WF_SHAPE_NONE, .centre = { { 1, 2 } } };
     for (int k = 0; k < 300; k++) {
@@ -661,9 +638,8 @@ static void bounds_fit_tightly(void **state)
     assert_true(b.min.x == 8 && b.max.x == 8 && b.min.y == 21 && b.max.y == 21);
 }
 
-static void containment_follows_the_definition(void **state)
+TEST(containment_follows_the_definition)
 {
-    (void)state;
     wfRandom r = random_stream(80);
     int in = 0, out = 0;
     for (int k = 0; k < 3000; k++) {
@@ -691,9 +667,8 @@ static void containment_follows_the_definition(void **state)
     assert_false(wfShapeContains(&none, HERE, wfV2(0, 0)));
 }
 
-static void the_support_is_the_furthest_corner(void **state)
+TEST(the_support_is_the_furthest_corner)
 {
-    (void)state;
     wfRandom r = random_stream(81);
     wfShape s, disk;
     for (int k = 0; k < 1000; k++) {
@@ -717,9 +692,8 @@ static void the_support_is_the_furthest_corner(void **state)
     assert_int_equal(wfShapeSupport(&disk, wfV2(1, 0)), -1);
 }
 
-static void the_extent_is_the_largest_distance(void **state)
+TEST(the_extent_is_the_largest_distance)
 {
-    (void)state;
     wfShape s;
     assert_ok(wfMakeOrientedBox(wfV2(3, 4), 1, 1, 0, &s));
     assert_near(wfShapeExtent(&s), sqrt(16 + 25.0), 4 * EPS * 7);
@@ -729,9 +703,8 @@ static void the_extent_is_the_largest_distance(void **state)
     assert_near(wfShapeExtent(&s), 7, 4 * EPS * 7);
 }
 
-static void moving_moves_everything_but_the_normals(void **state)
+TEST(moving_moves_everything_but_the_normals)
 {
-    (void)state;
     wfShape s, t;
     assert_ok(wfMakeBox(2, 1, &s));
     t = s;
@@ -749,9 +722,8 @@ static void moving_moves_everything_but_the_normals(void **state)
 }
 
 /* ---- the check of a shape made by hand ----------------------------------------------------------------------------- */
-static void a_tampered_shape_is_found_out(void **state)
+TEST(a_tampered_shape_is_found_out)
 {
-    (void)state;
     wfShape good, s, none = { .kind = WF_SHAPE_NONE };
     wfVec2 p[6];
     good = polygon(p, regular(p, 6, wfV2(0, 0), 1, 0));
@@ -824,49 +796,12 @@ static void a_tampered_shape_is_found_out(void **state)
     assert_int_not_equal(wfCheckShape(&s), WF_OK);
 }
 
-static void every_error_has_its_sentence(void **state)
+TEST(every_error_has_its_sentence)
 {
-    (void)state;
     const wfResult row[] = { WF_ERROR_TOO_FEW, WF_ERROR_TOO_MANY, WF_ERROR_DEGENERATE, WF_ERROR_SIZE, WF_ERROR_NOT_CONVEX, WF_ERROR_MASS };
     for (int i = 0; i < 6; i++) {
         assert_true(strlen(wfResultText(row[i])) > 20);
         assert_non_null(strchr(wfResultText(row[i]), ':'));                /* what is wrong, and what to do            */
         for (int j = 0; j < i; j++) assert_string_not_equal(wfResultText(row[i]), wfResultText(row[j]));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_circle_is_what_was_asked_for),
-        cmocka_unit_test(a_bad_circle_is_refused),
-        cmocka_unit_test(a_box_has_its_four_corners),
-        cmocka_unit_test(a_turned_box_is_turned_and_moved),
-        cmocka_unit_test(a_bad_box_is_refused),
-        cmocka_unit_test(a_box_that_rounding_bends_is_refused),
-        cmocka_unit_test(the_hull_of_a_littered_square_is_the_square),
-        cmocka_unit_test(clockwise_input_gives_the_same_shape),
-        cmocka_unit_test(a_hull_holds_every_point),
-        cmocka_unit_test(a_hull_is_its_own_hull),
-        cmocka_unit_test(flatness_is_relative_to_the_size),
-        cmocka_unit_test(a_bad_polygon_is_refused),
-        cmocka_unit_test(the_bare_hull_agrees),
-        cmocka_unit_test(normals_stand_on_their_edges),
-        cmocka_unit_test(mass_data_match_the_closed_forms),
-        cmocka_unit_test(regular_polygons_and_triangles_too),
-        cmocka_unit_test(mass_data_match_the_quadrature),
-        cmocka_unit_test(scaling_by_two_is_exact),
-        cmocka_unit_test(far_from_the_origin_nothing_is_lost),
-        cmocka_unit_test(turning_changes_no_inertia),
-        cmocka_unit_test(a_known_mass_sets_the_density),
-        cmocka_unit_test(bad_masses_are_refused),
-        cmocka_unit_test(bounds_fit_tightly),
-        cmocka_unit_test(containment_follows_the_definition),
-        cmocka_unit_test(the_support_is_the_furthest_corner),
-        cmocka_unit_test(the_extent_is_the_largest_distance),
-        cmocka_unit_test(moving_moves_everything_but_the_normals),
-        cmocka_unit_test(a_tampered_shape_is_found_out),
-        cmocka_unit_test(every_error_has_its_sentence),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

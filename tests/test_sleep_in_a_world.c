@@ -6,18 +6,8 @@
 static wfWorld open_world(int32_t sleep)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.sleep = sleep;
-    assert_ok(wfCreateWorld(&def, &w));
-    return w;
-}
-
-static wfBodyDef box_def(double x, double y, double wide, double high)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y);
-    assert_ok(wfMakeBox((wfReal)wide, (wfReal)high, &def.shape));
-    return def;
+    return world_with(&def);
 }
 
 static void run(wfWorld *w, int steps)
@@ -60,9 +50,8 @@ static int32_t events(const wfWorld *w, int kind)
 
 /* --- falling asleep --- */
 
-static void test_off_by_default(void **state)
+TEST(test_off_by_default)
 {
-    (void)state;
     wfWorld w = open_world(wfDefaultWorldDef().sleep);
     assert_int_equal(wfDefaultWorldDef().sleep, 0);
     add(&w, floor_def());
@@ -73,9 +62,8 @@ static void test_off_by_default(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_a_crate_falls_asleep_after_the_time(void **state)
+TEST(test_a_crate_falls_asleep_after_the_time)
 {
-    (void)state;
     wfWorld w = open_world(1);
     add(&w, floor_def());
     wfBodyId crate = add(&w, box_def(0, 0.5, 0.5, 0.5));
@@ -92,9 +80,8 @@ static void test_a_crate_falls_asleep_after_the_time(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_stacks_sleep_as_islands(void **state)
+TEST(test_stacks_sleep_as_islands)
 {
-    (void)state;
     wfWorld w = open_world(1);
     add(&w, floor_def());
     wfBodyId id[3][5];
@@ -113,9 +100,8 @@ static void test_stacks_sleep_as_islands(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_never_sleeps(void **state)
+TEST(test_never_sleeps)
 {
-    (void)state;
     wfWorld w = open_world(1);
     add(&w, floor_def());
     wfBodyDef top = box_def(0, 1.5, 0.5, 0.5);
@@ -135,9 +121,8 @@ static void test_never_sleeps(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_put_to_sleep_in_the_air(void **state)
+TEST(test_put_to_sleep_in_the_air)
 {
-    (void)state;
     wfWorld w = open_world(1);
     wfBodyId b = add(&w, box_def(0, 10, 0.5, 0.5));
     run(&w, 5);
@@ -153,9 +138,8 @@ static void test_put_to_sleep_in_the_air(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_nobody_sleeps_in_flight(void **state)
+TEST(test_nobody_sleeps_in_flight)
 {
-    (void)state;
     const double gravity[4] = { 9.81, 0.1, 0.01, 0.001 };
     for (int g = 0; g < 4; g++) {
         wfWorld w = open_world(1);
@@ -171,9 +155,8 @@ static void test_nobody_sleeps_in_flight(void **state)
     }
 }
 
-static void test_weightless_bodies_drift_on(void **state)
+TEST(test_weightless_bodies_drift_on)
 {
-    (void)state;
     wfWorld w = open_world(1);
     assert_ok(wfSetGravity(&w, wfV2(0, 0)));
     wfBodyDef slow = ball_def(0, 0, 0.5);
@@ -192,9 +175,8 @@ static void test_weightless_bodies_drift_on(void **state)
 #define FALLS(scene) do { run(&(scene).w, 30); assert_true(info(&(scene).w, (scene).crate).position.y < WF_R(0.3)); } while (0)
 #define END(scene) wfDestroyWorld(&(scene).w)
 
-static void test_support_is_removed(void **state)
+TEST(test_support_is_removed)
 {
-    (void)state;
     Scene s = crate_on_floor();
     WAKES(s, wfRemoveBodyFromWorld(&s.w, s.floor));
     FALLS(s); END(s);
@@ -203,17 +185,15 @@ static void test_support_is_removed(void **state)
     FALLS(s); END(s);
 }
 
-static void test_support_is_moved(void **state)
+TEST(test_support_is_moved)
 {
-    (void)state;
     Scene s = crate_on_floor();
     WAKES(s, wfSetBodyTransform(&s.w, s.floor, wfV2(0, -4), 0));
     FALLS(s); END(s);
 }
 
-static void test_support_changes_shape_filter_or_sensor(void **state)
+TEST(test_support_changes_shape_filter_or_sensor)
 {
-    (void)state;
     for (int what = 0; what < 3; what++) {
         Scene s = crate_on_floor();
         wfShapeDef def;
@@ -226,9 +206,8 @@ static void test_support_changes_shape_filter_or_sensor(void **state)
     }
 }
 
-static void test_support_begins_to_move(void **state)
+TEST(test_support_begins_to_move)
 {
-    (void)state;
     for (int way = 0; way < 2; way++) {
         wfWorld w = open_world(1);
         wfBodyDef lift = floor_def();
@@ -249,9 +228,8 @@ static void test_support_begins_to_move(void **state)
     }
 }
 
-static void test_kinematic_body_comes_along(void **state)
+TEST(test_kinematic_body_comes_along)
 {
-    (void)state;
     Scene s = crate_on_floor();
     wfBodyDef ram = box_def(-3, 0.6, 0.5, 0.4);
     ram.type = WF_KINEMATIC;
@@ -265,9 +243,8 @@ static void test_kinematic_body_comes_along(void **state)
     END(s);
 }
 
-static void test_gravity_and_laws_change(void **state)
+TEST(test_gravity_and_laws_change)
 {
-    (void)state;
     Scene s = crate_on_floor();
     WAKES(s, wfSetGravity(&s.w, wfV2(0, 5)));
     run(&s.w, 60);
@@ -292,9 +269,8 @@ static void test_gravity_and_laws_change(void **state)
     assert_int_equal(wfBodyIsland(&s.w, s.crate), -1), END(s);
 }
 
-static void test_material_changes(void **state)
+TEST(test_material_changes)
 {
-    (void)state;
     wfWorld w = open_world(1);
     wfBodyDef slope = floor_def();
     slope.angle = WF_R(0.3);
@@ -324,9 +300,8 @@ static void test_material_changes(void **state)
     END(s);
 }
 
-static void test_a_belt_is_switched_on(void **state)
+TEST(test_a_belt_is_switched_on)
 {
-    (void)state;
     Scene s = crate_on_floor();
     wfShapeDef def;
     assert_ok(wfGetShape(&s.w, only_shape(&s.w, s.floor), &def));
@@ -337,9 +312,8 @@ static void test_a_belt_is_switched_on(void **state)
     END(s);
 }
 
-static void test_pushes(void **state)
+TEST(test_pushes)
 {
-    (void)state;
     wfVec2 at = wfV2(0, WF_R(0.5));
     Scene s = crate_on_floor();
     assert_ok(wfApplyForceToBody(&s.w, s.crate, wfV2(0, 0), at));  /* nothing is nothing */
@@ -368,9 +342,8 @@ static void test_pushes(void **state)
     END(s);
 }
 
-static void test_type_and_shapes_change(void **state)
+TEST(test_type_and_shapes_change)
 {
-    (void)state;
     Scene s = crate_on_floor();
     WAKES(s, wfChangeBodyType(&s.w, s.floor, WF_DYNAMIC));
     FALLS(s); END(s);
@@ -392,9 +365,8 @@ static void test_type_and_shapes_change(void **state)
     WAKES(s, wfRemoveShapeFromWorld(&s.w, id)); END(s);
 }
 
-static void test_neighbour_is_removed_or_teleported(void **state)
+TEST(test_neighbour_is_removed_or_teleported)
 {
-    (void)state;
     for (int what = 0; what < 2; what++) {
         wfWorld w = open_world(1);
         add(&w, floor_def());
@@ -411,9 +383,8 @@ static void test_neighbour_is_removed_or_teleported(void **state)
     }
 }
 
-static void test_something_is_put_into_a_sleeper(void **state)
+TEST(test_something_is_put_into_a_sleeper)
 {
-    (void)state;
     for (int way = 0; way < 4; way++) {
         Scene s = crate_on_floor();
         wfBodyDef wall = box_def(0.8, 0.5, 0.5, 0.5);
@@ -427,9 +398,8 @@ static void test_something_is_put_into_a_sleeper(void **state)
     }
 }
 
-static void test_the_far_neighbour_sleeps_on(void **state)
+TEST(test_the_far_neighbour_sleeps_on)
 {
-    (void)state;
     Scene s = crate_on_floor();
     wfBodyDef wall = box_def(3, 0.5, 0.5, 0.5);
     wall.type = WF_STATIC;
@@ -445,9 +415,8 @@ static void test_the_far_neighbour_sleeps_on(void **state)
     END(s);
 }
 
-static void test_joints(void **state)
+TEST(test_joints)
 {
-    (void)state;
     wfWorld w = open_world(1);
     wfBodyDef hook = wfDefaultBodyDef();
     hook.type = WF_STATIC;
@@ -487,9 +456,8 @@ static void test_joints(void **state)
 }
 
 /* Whatever is done to the hook, the lamp on it wakes; and so does a crate on a spring. */
-static void test_what_hangs_on_a_wall(void **state)
+TEST(test_what_hangs_on_a_wall)
 {
-    (void)state;
     enum { MOVED, CARRIED, FREED, WAYS };
     for (int spring = 0; spring <= 1; spring++)
         for (int way = 0; way < WAYS; way++) {
@@ -520,9 +488,8 @@ static void test_what_hangs_on_a_wall(void **state)
         }
 }
 
-static void test_forces(void **state)
+TEST(test_forces)
 {
-    (void)state;
     Scene s = crate_on_floor();
     wfForceId id;
     wfForce f = { .kind = wfFindForce("drag"), .a = wfBodyIndex(&s.w, s.crate), .b = -1 };
@@ -547,9 +514,8 @@ static void test_forces(void **state)
     END(s);
 }
 
-static void test_an_unsteady_force_lets_nobody_sleep(void **state)
+TEST(test_an_unsteady_force_lets_nobody_sleep)
 {
-    (void)state;
     Scene s = crate_on_floor();
     int kind = wfFindForce("explosion");
     assert_false(wfForceTable[kind].steady);
@@ -567,9 +533,8 @@ static void test_an_unsteady_force_lets_nobody_sleep(void **state)
 
 /* --- hits --- */
 
-static void test_hit_by_a_ball(void **state)
+TEST(test_hit_by_a_ball)
 {
-    (void)state;
     /* e = 1, equal masses: they swap their velocities, in the step in which they meet, although one of them sleeps. */
     wfWorld w = open_world(1);
     assert_ok(wfSetGravity(&w, wfV2(0, 0)));
@@ -589,9 +554,8 @@ static void test_hit_by_a_ball(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_a_sleeping_cradle(void **state)
+TEST(test_a_sleeping_cradle)
 {
-    (void)state;
     /* Five balls with gaps of a millimetre: awake all of them wait for 0.02 s each; the last takes over the speed. */
     wfWorld w = open_world(1);
     assert_ok(wfSetGravity(&w, wfV2(0, 0)));
@@ -612,9 +576,8 @@ static void test_a_sleeping_cradle(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_a_bullet_hits_a_sleeper(void **state)
+TEST(test_a_bullet_hits_a_sleeper)
 {
-    (void)state;
     /* Too fast for speculative contacts: its impact is found after the motion, and the step begins anew all the same. */
     for (int k = 0; k < 20; k++) {
         wfWorld w = open_world(1);
@@ -634,9 +597,8 @@ static void test_a_bullet_hits_a_sleeper(void **state)
     }
 }
 
-static void test_a_stack_is_hit_wakes_and_sleeps_again(void **state)
+TEST(test_a_stack_is_hit_wakes_and_sleeps_again)
 {
-    (void)state;
     wfWorld w = open_world(1);
     add(&w, floor_def());
     for (int i = 0; i < 8; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
@@ -660,9 +622,8 @@ static void test_a_stack_is_hit_wakes_and_sleeps_again(void **state)
 
 /* --- nothing is told of it --- */
 
-static void test_no_events_from_sleep(void **state)
+TEST(test_no_events_from_sleep)
 {
-    (void)state;
     wfWorld w = open_world(1);
     add(&w, floor_def());
     wfBodyDef sensor = box_def(0, 1, 2, 2);
@@ -698,9 +659,8 @@ static void test_no_events_from_sleep(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_two_sleepers_removed_at_once(void **state)
+TEST(test_two_sleepers_removed_at_once)
 {
-    (void)state;
     wfWorld w = open_world(1);
     add(&w, floor_def());
     wfBodyId a = add(&w, box_def(0, 0.5, 0.5, 0.5)), b = add(&w, box_def(0, 1.5, 0.5, 0.5));
@@ -714,9 +674,8 @@ static void test_two_sleepers_removed_at_once(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_a_moving_sensor_sees_sleepers(void **state)
+TEST(test_a_moving_sensor_sees_sleepers)
 {
-    (void)state;
     Scene s = crate_on_floor();
     wfBodyDef eye = box_def(-5, 1, 0.5, 2);
     eye.type = WF_KINEMATIC;
@@ -739,9 +698,8 @@ static void test_a_moving_sensor_sees_sleepers(void **state)
     END(s);
 }
 
-static void test_contacts_of_sleepers_can_be_read(void **state)
+TEST(test_contacts_of_sleepers_can_be_read)
 {
-    (void)state;
     Scene s = crate_on_floor();
     wfContact c;
     int32_t count;
@@ -789,9 +747,8 @@ static void heap_that_lands_together(wfWorld *w, double shift)
     }
 }
 
-static void test_the_same_until_the_first_sleep_and_nearly_so_after(void **state)
+TEST(test_the_same_until_the_first_sleep_and_nearly_so_after)
 {
-    (void)state;
     int slept = 0;
     for (int trial = 0; trial < 20; trial++) {
         wfWorld on = open_world(1), off = open_world(0);
@@ -817,9 +774,8 @@ static void test_the_same_until_the_first_sleep_and_nearly_so_after(void **state
     assert_true(slept >= 19);                             /* in single precision one still rocks after 25 s */
 }
 
-static void test_waking_is_seamless(void **state)
+TEST(test_waking_is_seamless)
 {
-    (void)state;
     /* A stack that is woken without any cause must not jump: its contacts bear what they bore. */
     wfWorld w = open_world(1);
     add(&w, floor_def());
@@ -839,9 +795,8 @@ static void test_waking_is_seamless(void **state)
 
 /* --- cost --- */
 
-static void test_sleepers_cost_no_pairs_and_no_contacts(void **state)
+TEST(test_sleepers_cost_no_pairs_and_no_contacts)
 {
-    (void)state;
     wfWorld w = open_world(1);
     pile(&w, 40);
     settle(&w, 40);
@@ -865,9 +820,8 @@ static void test_sleepers_cost_no_pairs_and_no_contacts(void **state)
 
 /* --- bytes --- */
 
-static void test_a_copy_sleeps_and_wakes_alike(void **state)
+TEST(test_a_copy_sleeps_and_wakes_alike)
 {
-    (void)state;
     wfWorld w = open_world(1), copy;
     pile(&w, 20);
     run(&w, 200);
@@ -892,9 +846,8 @@ static void test_a_copy_sleeps_and_wakes_alike(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_the_hash_tells_sleepers(void **state)
+TEST(test_the_hash_tells_sleepers)
 {
-    (void)state;
     Scene s = crate_on_floor();
     uint64_t asleep = wfHashWorld(&s.w);
     assert_ok(wfWakeBody(&s.w, s.crate));
@@ -902,15 +855,13 @@ static void test_the_hash_tells_sleepers(void **state)
     END(s);
 }
 
-static void test_a_failed_step_changes_nothing(void **state)
+TEST(test_a_failed_step_changes_nothing)
 {
-    (void)state;
     /* The ball wakes the stack, and there is no room for all the contacts: every byte stays, sleepers sleep. */
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.sleep = 1;
     def.advanced.pairCapacity = 4;
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     add(&w, floor_def());
     for (int i = 0; i < 4; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
     settle(&w, 4);
@@ -929,17 +880,15 @@ static void test_a_failed_step_changes_nothing(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_every_solver_and_broad_phase(void **state)
+TEST(test_every_solver_and_broad_phase)
 {
-    (void)state;
     /* One scene, all rows: a stack sleeps, is hit, and its support goes. Broad phases must agree to the bit. */
     for (int solver = 0; solver < wfSolverCount; solver++) {
         uint64_t hash = 0;
         for (int broad = 0; broad < wfBroadPhaseCount; broad++) {
             wfWorldDef def = wfDefaultWorldDef();
-            wfWorld w;
             def.sleep = 1, def.solver = solver, def.advanced.broadPhase = broad;
-            assert_ok(wfCreateWorld(&def, &w));
+            wfWorld w = world_with(&def);
             wfBodyId floor = add(&w, floor_def());
             for (int i = 0; i < 3; i++) add(&w, box_def(0, 0.5 + i, 0.5, 0.5));
             for (int i = 0; i < 600 && wfGetSleepCounts(&w).asleep < 3; i++) run(&w, 1);
@@ -958,12 +907,10 @@ static void test_every_solver_and_broad_phase(void **state)
     }
 }
 
-static void test_whatever_is_done_nobody_floats(void **state)
+TEST(test_whatever_is_done_nobody_floats)
 {
-    (void)state;
     /* Random edits of a world that likes to sleep. Whenever all sleep, waking them must not set anything moving. */
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     uint32_t seed = 3;
     wfBodyId id[30];
     def.sleep = 1;
@@ -971,7 +918,7 @@ static void test_whatever_is_done_nobody_floats(void **state)
      * reach r = 0.71 m: a < 2 s r / T^2. Awake, he then goes a / 2 in a second, at most s r / T^2 = 0.028 m: less than 0.05 m. */
     def.advanced.timeToSleep = WF_R(0.5);
     def.advanced.sleepThreshold = WF_R(0.01);
-    assert_ok(wfCreateWorld(&def, &w));
+    wfWorld w = world_with(&def);
     add(&w, floor_def());
     for (int i = 0; i < 30; i++) id[i] = add(&w, box_def(-6 + 2 * (i % 6), 0.5 + i / 6, 0.5, 0.5));
     for (int round = 0; round < 60; round++) {
@@ -1057,9 +1004,8 @@ static void edit(wfWorld *w, wfBodyId *id, int n, uint32_t *seed)
     }
 }
 
-static void test_whatever_is_done_the_events_fit(void **state)
+TEST(test_whatever_is_done_the_events_fit)
 {
-    (void)state;
     wfWorld w[2];
     static Known known[2];
     wfBodyId id[2][20];
@@ -1101,9 +1047,8 @@ static void meddle(void *context, const wfCallbackView *view, const wfContact *c
     m->got[2] = wfDisableBodySleep(m->world, m->id, 1);
 }
 
-static void test_hooks_may_not_wake(void **state)
+TEST(test_hooks_may_not_wake)
 {
-    (void)state;
     wfWorld w = open_world(1);
     add(&w, floor_def());
     Meddler m = { .world = &w, .id = add(&w, box_def(0, 0.5, 0.5, 0.5)) };
@@ -1113,9 +1058,8 @@ static void test_hooks_may_not_wake(void **state)
     wfDestroyWorld(&w);
 }
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     Scene s = crate_on_floor();
     wfBodyId stale = { 77, 1 };
     assert_false(wfBodyIsAwake(&s.w, stale));
@@ -1153,54 +1097,4 @@ static void test_bad_input(void **state)
     assert_result(WF_ERROR_RANGE, wfSetBodyAsleep(&off, id));
     assert_ok(wfWakeBody(&off, id));
     wfDestroyWorld(&off);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_off_by_default),
-        cmocka_unit_test(test_a_crate_falls_asleep_after_the_time),
-        cmocka_unit_test(test_stacks_sleep_as_islands),
-        cmocka_unit_test(test_never_sleeps),
-        cmocka_unit_test(test_put_to_sleep_in_the_air),
-        cmocka_unit_test(test_nobody_sleeps_in_flight),
-        cmocka_unit_test(test_weightless_bodies_drift_on),
-        cmocka_unit_test(test_support_is_removed),
-        cmocka_unit_test(test_support_is_moved),
-        cmocka_unit_test(test_support_changes_shape_filter_or_sensor),
-        cmocka_unit_test(test_support_begins_to_move),
-        cmocka_unit_test(test_kinematic_body_comes_along),
-        cmocka_unit_test(test_gravity_and_laws_change),
-        cmocka_unit_test(test_material_changes),
-        cmocka_unit_test(test_a_belt_is_switched_on),
-        cmocka_unit_test(test_pushes),
-        cmocka_unit_test(test_type_and_shapes_change),
-        cmocka_unit_test(test_neighbour_is_removed_or_teleported),
-        cmocka_unit_test(test_something_is_put_into_a_sleeper),
-        cmocka_unit_test(test_the_far_neighbour_sleeps_on),
-        cmocka_unit_test(test_joints),
-        cmocka_unit_test(test_what_hangs_on_a_wall),
-        cmocka_unit_test(test_forces),
-        cmocka_unit_test(test_an_unsteady_force_lets_nobody_sleep),
-        cmocka_unit_test(test_hit_by_a_ball),
-        cmocka_unit_test(test_a_sleeping_cradle),
-        cmocka_unit_test(test_a_bullet_hits_a_sleeper),
-        cmocka_unit_test(test_a_stack_is_hit_wakes_and_sleeps_again),
-        cmocka_unit_test(test_no_events_from_sleep),
-        cmocka_unit_test(test_two_sleepers_removed_at_once),
-        cmocka_unit_test(test_a_moving_sensor_sees_sleepers),
-        cmocka_unit_test(test_contacts_of_sleepers_can_be_read),
-        cmocka_unit_test(test_the_same_until_the_first_sleep_and_nearly_so_after),
-        cmocka_unit_test(test_waking_is_seamless),
-        cmocka_unit_test(test_sleepers_cost_no_pairs_and_no_contacts),
-        cmocka_unit_test(test_a_copy_sleeps_and_wakes_alike),
-        cmocka_unit_test(test_the_hash_tells_sleepers),
-        cmocka_unit_test(test_a_failed_step_changes_nothing),
-        cmocka_unit_test(test_every_solver_and_broad_phase),
-        cmocka_unit_test(test_whatever_is_done_nobody_floats),
-        cmocka_unit_test(test_whatever_is_done_the_events_fit),
-        cmocka_unit_test(test_hooks_may_not_wake),
-        cmocka_unit_test(test_bad_input),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

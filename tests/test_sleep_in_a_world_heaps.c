@@ -66,9 +66,8 @@ static double fastest_of(const Heap *h)
 }
 
 /* It was .01 to .2 m/s for ever, and nobody slept. */
-static void heaps_come_to_rest(void **unused)
+TEST(heaps_come_to_rest)
 {
-    (void)unused;
     for (uint64_t seed = 1; seed <= 3; seed++) {
         Heap h = open_heap(seed, 0);
         for (int i = 0; i < 20 * h.second; i++) assert_ok(wfStepWorld(&h.world));
@@ -80,9 +79,8 @@ static void heaps_come_to_rest(void **unused)
     }
 }
 
-static void heaps_fall_asleep(void **unused)
+TEST(heaps_fall_asleep)
 {
-    (void)unused;
     for (uint64_t seed = 4; seed <= 6; seed++) {
         Heap h = open_heap(seed, 1);
         for (int i = 0; i < 30 * h.second; i++) assert_ok(wfStepWorld(&h.world));
@@ -93,9 +91,8 @@ static void heaps_fall_asleep(void **unused)
 }
 
 /* The ends of a chain lie on two posts, under two crates a hundred times as heavy as a link. Stiff joints made 1 to 2 m/s of its sway, for ever. */
-static void a_pinned_chain_does_not_sway(void **unused)
+TEST(a_pinned_chain_does_not_sway)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     Heap h = { .count = 0 };
     assert_ok(wfCreateWorld(&def, &h.world));
@@ -138,9 +135,8 @@ static double turn_of(const Heap *h)
 }
 
 /* Two chains fall, one on the other, and move a little: what calms them leaves both momenta, but for the roundings of 30 steps. */
-static void calm_takes_no_momentum(void **unused)
+TEST(calm_takes_no_momentum)
 {
-    (void)unused;
     wfRandom r = random_stream(9);
     wfWorldDef def = wfDefaultWorldDef();
     Heap h = { .count = 0 };
@@ -158,15 +154,4 @@ static void calm_takes_no_momentum(void **unused)
     assert_true(fabs(after[1] - before[1] + mass * 9.81 / 2) < rounding);
     assert_true(fabs(turn_of(&h) - turn) < rounding);
     wfDestroyWorld(&h.world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(heaps_come_to_rest),
-        cmocka_unit_test(heaps_fall_asleep),
-        cmocka_unit_test(a_pinned_chain_does_not_sway),
-        cmocka_unit_test(calm_takes_no_momentum),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -124,9 +124,8 @@ static double energy_of(const Bench *b)
 
 /* ------------------------------------------------------------------------------ flight */
 
-static void flight_is_a_parabola(void **unused)
+TEST(flight_is_a_parabola)
 {
-    (void)unused;
     for (int n = 1; n <= 64; n *= 2) {
         wfBodyState s[3] = { body(1, 2, 3, 4, 5, 2, 0.5), body(0, 0, -1, 2, 3, 0, 0), body(7, 8, 0, 0, 0, 4, 0) };
         wfBodyForces f[3] = { { .force = wfV2(8, -16), .torque = WF_R(1.5) }, { .force = wfV2(5, 5), .torque = 5 }, { .torque = 9 } };
@@ -164,9 +163,8 @@ static wfContact under(const wfBodyState *s, double depth)
     return c;
 }
 
-static void one_substep_is_implicit_euler(void **unused)
+TEST(one_substep_is_implicit_euler)
 {
-    (void)unused;
     static const double speed[] = { 0, -0.5, 0.1 };
     for (int k = 0; k < 3; k++) {
         double mass = 3, dt = 0.01, g = -0.1, u = speed[k], K = 1 / mass;
@@ -185,9 +183,8 @@ static void one_substep_is_implicit_euler(void **unused)
     }
 }
 
-static void rest_is_where_hooke_says(void **unused)
+TEST(rest_is_where_hooke_says)
 {
-    (void)unused;
     for (int n = 1; n <= 16; n *= 2) {
         Bench b;
         start(&b, n);
@@ -203,9 +200,8 @@ static void rest_is_where_hooke_says(void **unused)
     }
 }
 
-static void stacks_sink_as_predicted(void **unused)
+TEST(stacks_sink_as_predicted)
 {
-    (void)unused;
     for (int n = 4; n <= 16; n *= 2) {
         Bench b;
         start(&b, n);
@@ -220,9 +216,27 @@ static void stacks_sink_as_predicted(void **unused)
     }
 }
 
-static void deep_overlaps_part_without_a_leap(void **unused)
+static int solve_at_once(void **unused)
 {
     (void)unused;
+    at_once = 1;
+    return 0;
+}
+
+static int solve_by_passes(void **unused)
+{
+    (void)unused;
+    at_once = 0;
+    return 0;
+}
+
+#define BOTH(f) \
+    static void f(void **state); \
+    LIST_TEST(f##_at_once, #f " (at once)", f, solve_at_once, solve_by_passes, NULL) \
+    TEST(f)
+
+BOTH(deep_overlaps_part_without_a_leap)
+{
     Bench b;
     start(&b, 4);
     int d = disc(&b, 0, 0.3);
@@ -236,9 +250,8 @@ static void deep_overlaps_part_without_a_leap(void **unused)
     assert_near(b.s[d].p.y, 0.5, 5e-4);
 }
 
-static void points_apart_close_and_stop(void **unused)
+TEST(points_apart_close_and_stop)
 {
-    (void)unused;
     for (int n = 1; n <= 8; n *= 2) {
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.52, 0, -5, 0, 2, 1) };
         wfContact c = under(s, -0.02);
@@ -260,9 +273,8 @@ static void points_apart_close_and_stop(void **unused)
 
 /* ------------------------------------------------------------------------------ sliding and rolling */
 
-static void a_box_stops_where_it_should(void **unused)
+BOTH(a_box_stops_where_it_should)
 {
-    (void)unused;
     for (int n = 1; n <= 4; n *= 4) {
         Bench b;
         start(&b, n);
@@ -279,9 +291,8 @@ static void a_box_stops_where_it_should(void **unused)
     }
 }
 
-static void a_slope_holds_without_creep(void **unused)
+BOTH(a_slope_holds_without_creep)
 {
-    (void)unused;
     static const double steep[] = { 0.5, 0.95, 0.999, 1.002 };
     for (int k = 0; k < 4; k++) {
         Bench b;
@@ -298,9 +309,8 @@ static void a_slope_holds_without_creep(void **unused)
     }
 }
 
-static void discs_roll_and_resist(void **unused)
+BOTH(discs_roll_and_resist)
 {
-    (void)unused;
     Bench b;
     double angle = 20 * PI / 180, want = 9.81 * sin(angle) / 3 * 4;
     start(&b, 4);
@@ -330,9 +340,8 @@ static void discs_roll_and_resist(void **unused)
 
 /* ------------------------------------------------------------------------------ bounces */
 
-static void a_ball_keeps_its_energy(void **unused)
+BOTH(a_ball_keeps_its_energy)
 {
-    (void)unused;
     for (int k = 0; k < 4; k++) {
         Bench b;
         start(&b, k % 2 ? 4 : 1);
@@ -353,9 +362,8 @@ static void a_ball_keeps_its_energy(void **unused)
 /* A ball that comes to the floor just when a substep ends: heights by whose roundings "does it bounce?" and "is it stopped?"
  * could differ. Whichever step it bounces in, it has the speed of the fall, v + g h, and no less. The speed loses a rounding in
  * each of a few sums; a ball that was stopped has lost all. */
-static void a_bounce_at_the_end_of_a_step_is_not_lost(void **unused)
+BOTH(a_bounce_at_the_end_of_a_step_is_not_lost)
 {
-    (void)unused;
     wfRandom r = random_stream(17);
     int bounced = 0, many = 40000;
     for (int i = 0; i < many; i++) {
@@ -379,9 +387,8 @@ static void a_bounce_at_the_end_of_a_step_is_not_lost(void **unused)
     assert_true(bounced > many / 8 && bounced < many - many / 8);                 /* both kinds are among them */
 }
 
-static void one_bounce_is_exact(void **unused)
+TEST(one_bounce_is_exact)
 {
-    (void)unused;
     /* A ball with a gap of 0.3 m falls at 2 m/s for 0.2 s on a surface that itself rises at 1 m/s: all by formula. */
     for (int k = 0; k < 24; k++) {
         int n = 1 + k % 6, ball = k / 6 % 2;
@@ -410,9 +417,8 @@ static void one_bounce_is_exact(void **unused)
     }
 }
 
-static void a_plank_that_lands_flat_or_on_one_end(void **unused)
+TEST(a_plank_that_lands_flat_or_on_one_end)
 {
-    (void)unused;
     /* 4 m wide, I = m: a corner feels K = 1 + 4 = 5. Flat, e = 1: both corners, v turns round and no spin. One corner alone
      * (the other is 1 m up): j = 2 v / 5, v' = -v + 0.4 v, spin 2 * 0.4 v. */
     for (int k = 0; k < 4; k++) {
@@ -436,9 +442,8 @@ static void a_plank_that_lands_flat_or_on_one_end(void **unused)
     }
 }
 
-static void restitution_gives_the_height(void **unused)
+BOTH(restitution_gives_the_height)
 {
-    (void)unused;
     for (int flat = 0; flat < 2; flat++) {
         Bench b;
         start(&b, 4);
@@ -462,9 +467,8 @@ static void restitution_gives_the_height(void **unused)
     }
 }
 
-static void a_ball_at_rest_does_not_bounce(void **unused)
+BOTH(a_ball_at_rest_does_not_bounce)
 {
-    (void)unused;
     Bench b;
     start(&b, 4);
     b.e = 1;                                                                      /* and no resting speed at all */
@@ -476,9 +480,8 @@ static void a_ball_at_rest_does_not_bounce(void **unused)
     }
 }
 
-static void tilted_boxes_keep_their_energy(void **unused)
+BOTH(tilted_boxes_keep_their_energy)
 {
-    (void)unused;
     Bench b;
     start(&b, 4);
     b.e = 1;
@@ -491,9 +494,8 @@ static void tilted_boxes_keep_their_energy(void **unused)
     assert_true(fabs((double)b.s[k].v.y) + fabs((double)b.s[k].w) > 0.1);
 }
 
-static void cradles_at_any_distance_in_any_order(void **unused)
+BOTH(cradles_at_any_distance_in_any_order)
 {
-    (void)unused;
     for (int k = 0; k < 20; k++) {
         Bench b;
         start(&b, 1 + k % 4);
@@ -513,9 +515,8 @@ static void cradles_at_any_distance_in_any_order(void **unused)
 
 /* ------------------------------------------------------------------------------ laws */
 
-static void random_heaps_keep_momentum_and_gain_no_energy(void **unused)
+TEST(random_heaps_keep_momentum_and_gain_no_energy)
 {
-    (void)unused;
     enum { N = 6, C = 10 };
     wfRandom r = random_stream(17);
     for (int round = 0; round < 300; round++) {
@@ -552,9 +553,8 @@ static void random_heaps_keep_momentum_and_gain_no_energy(void **unused)
 /* Boxes above one another with gaps between them: each lands on a column that is just landing. Gravity's energy is exact in substeps (a parabola),
    contacts only take some away, and pushing overlap out lifts a body by no more than the tolerated overlap, slop 0 here: so a rounding of the sums
    in each step is all that is allowed. The old sums, handed out again after a landing, once threw a box to ten times its height. */
-static void columns_that_fall_gain_no_energy(void **unused)
+TEST(columns_that_fall_gain_no_energy)
 {
-    (void)unused;
     static const double gap[4] = { 0.005, 0.02, 0.05, 0.1 };
     static const int boxes[4] = { 10, 20, 30, 50 };
     static Bench b;
@@ -594,9 +594,8 @@ static void log_solve(void *context, const wfSolve *in, const struct wfMoved *mo
     else log->hards++;
 }
 
-static void other_laws_have_their_turn(void **unused)
+TEST(other_laws_have_their_turn)
 {
-    (void)unused;
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 1, 1), body(1, 0, 0, 0, 0, 1, 1) };
     Log log = { 0 };
     wfConstraints laws = { &log, log_begin, log_solve, NULL, NULL };
@@ -612,9 +611,8 @@ static void other_laws_have_their_turn(void **unused)
     assert_near(log.share[2], 0.0025, 1e-8);
 }
 
-static void what_is_carried_over(void **unused)
+TEST(what_is_carried_over)
 {
-    (void)unused;
     wfContact before = { .rollingImpulse = 7, .manifold = { .normal = wfV2(0, 1), .count = 2 } }, now = before;
     for (int k = 0; k < 2; k++) {
         before.manifold.points[k] = (wfContactPoint){ .rA = wfV2((wfReal)(8 * k), 0), .feature = (uint32_t)(10 + k),
@@ -653,9 +651,8 @@ static void what_is_carried_over(void **unused)
     assert_true(c.manifold.points[0].normalImpulse == 0);
 }
 
-static void too_little_room_changes_nothing(void **unused)
+TEST(too_little_room_changes_nothing)
 {
-    (void)unused;
     int row = wfFindSolver("soft");
     wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.5, 0, -1, 0, 2, 1) }, t[2] = { s[0], s[1] };
     wfContact c = under(s, 0.1), d = c;
@@ -708,9 +705,8 @@ static wfReal press(const wfContact *c) { return c->manifold.points[0].normalImp
 
 /* Three times as high as passes hold (eq:soft-tower: 17). The places are multiples of 4e-6 m in float at a height of 60 m, and
  * each contact has two of them: 0.2 mm at most for the sum of 60, and a hundredth of that is what we see. */
-static void towers_stand(void **unused)
+TEST(towers_stand)
 {
-    (void)unused;
     for (uint32_t seed = 1; seed <= 3; seed++) {
         static Bench b;
         tower(&b, 60, seed);
@@ -728,9 +724,8 @@ static void towers_stand(void **unused)
     assert_true(fabs((double)b.s[60].p.y - 59.5) > 0.1);                          /* and passes: squashed at least */
 }
 
-static void heavy_on_light(void **unused)
+TEST(heavy_on_light)
 {
-    (void)unused;
     for (double ratio = 10; ratio < 2e6; ratio *= 10) {
         Bench b;
         start(&b, 4);
@@ -748,9 +743,8 @@ static void heavy_on_light(void **unused)
 }
 
 /* A tree with branches: a plank with three stacks, one of them a heavy one. Every contact bears what is above it. */
-static void branches_bear_what_is_above(void **unused)
+TEST(branches_bear_what_is_above)
 {
-    (void)unused;
     Bench b;
     start(&b, 4);
     b.columns = 1;
@@ -774,9 +768,8 @@ static void branches_bear_what_is_above(void **unused)
 }
 
 /* What is no tree goes by passes, whatever is asked for: to the bit. */
-static void bridges_are_no_trees(void **unused)
+TEST(bridges_are_no_trees)
 {
-    (void)unused;
     Bench b[2];
     for (int k = 0; k < 2; k++) {
         start(&b[k], 4);
@@ -792,9 +785,8 @@ static void bridges_are_no_trees(void **unused)
 
 /* Two thousand bounces with e = 1, and what the states round away is kept. A rest has 24 bits, so a kick rounds by 2^-48 of 5 m/s, at
    worst always the same way: 240 kicks and as many drifts a bounce, 2000 bounces, 5e5 * 2 * 4e-15 = 4e-9. Without: some 1e-4. */
-static void a_ball_keeps_its_height(void **unused)
+TEST(a_ball_keeps_its_height)
 {
-    (void)unused;
     for (int k = 0; k < 3; k++) {
         Bench b;
         wfResidual fine[2] = { { .w = 0 } };
@@ -817,9 +809,8 @@ static void a_ball_keeps_its_height(void **unused)
 
 /* A plank on two trestles and a box in its middle: one loop through the ground. Each trestle bears half. By passes the plank sags by
    eq:soft-squash (F K is g/2 at least, so 0.1 mm); at once by no more than the gap that counts as a touch and the roundings of 1 m. */
-static void a_loop_bears_its_load(void **unused)
+TEST(a_loop_bears_its_load)
 {
-    (void)unused;
     wfReal high[2];
     for (int k = 0; k < 2; k++) {
         Bench b;
@@ -840,9 +831,8 @@ static void a_loop_bears_its_load(void **unused)
 
 /* A stone in a gap that is narrower by 2 %: both walls want it elsewhere, and nothing can give. No speed may come of it, nor from a
    slim wedge, whose sides would have to leave the walls ten times as fast as they overlap them. eq:soft-calm */
-static void what_is_wedged_stays(void **unused)
+TEST(what_is_wedged_stays)
 {
-    (void)unused;
     for (int slim = 0; slim < 2; slim++) {
         Bench b;
         start(&b, 4);
@@ -865,9 +855,8 @@ static void what_is_wedged_stays(void **unused)
 
 /* Two dozen boxes born in one place: no faster than a fall from where the topmost can get (24 boxes: 24 m would be 22 m/s; the
  * heap is a third of that), and after ten seconds nothing overlaps but by what the springs give (some mm). */
-static void many_born_in_one_place(void **unused)
+TEST(many_born_in_one_place)
 {
-    (void)unused;
     static Bench b;
     start(&b, 4);
     b.resting = WF_R(0.327);
@@ -885,9 +874,8 @@ static void many_born_in_one_place(void **unused)
     assert_true(fastest_of(&b) < 0.1);
 }
 
-static void settings_of_the_spring(void **unused)
+TEST(settings_of_the_spring)
 {
-    (void)unused;
     for (int k = 1; k <= 2; k++) {                                                /* eq:soft-squash with another period */
         wfBodyState s[2] = { body(0, -1, 0, 0, 0, 0, 0), body(0, 0.5, 0, 0, 0, 1, 0.2) };
         wfContact c = under(s, 0);
@@ -907,30 +895,13 @@ static void settings_of_the_spring(void **unused)
     }
 }
 
-static int solve_at_once(void **unused)
-{
-    (void)unused;
-    at_once = 1;
-    return 0;
-}
-
-static int solve_by_passes(void **unused)
-{
-    (void)unused;
-    at_once = 0;
-    return 0;
-}
-
-#define BOTH(f) cmocka_unit_test(f), { #f " (at once)", f, solve_at_once, solve_by_passes, NULL }
-
 /* sec:soft-alone: a pass over what lies alone is the tree of one limb. A second coefficient of friction, which never comes
    to bear here, makes the same contact a tree. Both steps must give the same motion. A gap that is
    nothing may come out as a rounding more or less, and then gamma / K is there or not: that is worth gamma / K times what a kick gives. And
    after a landing, or when friction stops what slides, the tree takes back its memory at once and the pass with its sums (sec:soft-memory):
    the give, which goes with what is new, differs by gamma / K times the speed that is stopped. */
-static void test_what_is_alone_is_a_tree_of_one_limb(void **state)
+TEST(test_what_is_alone_is_a_tree_of_one_limb)
 {
-    (void)state;
     wfRandom r = random_stream(177);
     for (int round = 0; round < 300; round++) {
         wfReal mass = wfRandomReal(&r, WF_R(0.1), 10), overlap = wfRandomReal(&r, WF_R(-0.01), WF_R(0.01));
@@ -957,9 +928,8 @@ static void test_what_is_alone_is_a_tree_of_one_limb(void **state)
 }
 
 /* And so its spring carries nothing: a ball that weighs a hundred times as much stays where it was, by passes it sinks by eq:soft-squash. */
-static void test_what_is_alone_does_not_sink(void **state)
+TEST(test_what_is_alone_does_not_sink)
 {
-    (void)state;
     for (int columns = 0; columns < 2; columns++) {
         static Bench b;
         start(&b, 4);
@@ -975,9 +945,8 @@ static void test_what_is_alone_does_not_sink(void **state)
 
 /* The green ball of figure soft-path goes on at 1.2 m/s, bounces, and comes back to its height: of places a tenth of a second apart one is
    at most g (1/20 s)^2 / 2 below the top, 1.3 cm. A step that fails is counted where the pen counts what it refuses. */
-static void the_figure_shows_what_was_solved(void **state)
+TEST(the_figure_shows_what_was_solved)
 {
-    (void)state;
     static uint8_t room[1 << 20];
     wfDraw d;
     const wfFigureRow *row = wfFigureAt(wfFindFigure("soft-path"));
@@ -998,27 +967,4 @@ static void the_figure_shows_what_was_solved(void **state)
     assert_int_equal(seen, 60);
     assert_near((double)high, (double)row->handle[0][1], 0.02);
     assert_true(low > 0.19f && low < 0.7f);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_figure_shows_what_was_solved),
-        cmocka_unit_test(test_what_is_alone_is_a_tree_of_one_limb),
-        cmocka_unit_test(test_what_is_alone_does_not_sink),
-        cmocka_unit_test(flight_is_a_parabola), cmocka_unit_test(one_substep_is_implicit_euler),
-        cmocka_unit_test(rest_is_where_hooke_says), cmocka_unit_test(stacks_sink_as_predicted),
-        BOTH(deep_overlaps_part_without_a_leap), cmocka_unit_test(points_apart_close_and_stop),
-        BOTH(a_box_stops_where_it_should), BOTH(a_slope_holds_without_creep),
-        BOTH(discs_roll_and_resist), BOTH(a_ball_keeps_its_energy),
-        cmocka_unit_test(one_bounce_is_exact), BOTH(a_bounce_at_the_end_of_a_step_is_not_lost),
-        cmocka_unit_test(a_plank_that_lands_flat_or_on_one_end),
-        BOTH(restitution_gives_the_height), BOTH(a_ball_at_rest_does_not_bounce),
-        BOTH(tilted_boxes_keep_their_energy), BOTH(cradles_at_any_distance_in_any_order),
-        cmocka_unit_test(random_heaps_keep_momentum_and_gain_no_energy), cmocka_unit_test(columns_that_fall_gain_no_energy), cmocka_unit_test(other_laws_have_their_turn),
-        cmocka_unit_test(what_is_carried_over), cmocka_unit_test(too_little_room_changes_nothing),
-        cmocka_unit_test(towers_stand), cmocka_unit_test(heavy_on_light), cmocka_unit_test(branches_bear_what_is_above),
-        cmocka_unit_test(bridges_are_no_trees), cmocka_unit_test(a_ball_keeps_its_height), cmocka_unit_test(a_loop_bears_its_load), cmocka_unit_test(what_is_wedged_stays), cmocka_unit_test(many_born_in_one_place), cmocka_unit_test(settings_of_the_spring),
-    };
-    return cmocka_run_group_tests_name("17 soft contacts", tests, NULL, NULL);
 }

@@ -43,9 +43,8 @@ static void scale_pair(Pair *p, double by)
 
 /* ---- sweeps ---- */
 
-static void test_a_sweep_keeps_its_ends(void **state)
+TEST(test_a_sweep_keeps_its_ends)
 {
-    (void)state;
     wfRandom r = random_stream(2100);
     for (int i = 0; i < 200; i++) {
         wfSweep s;
@@ -77,9 +76,8 @@ static void test_a_sweep_keeps_its_ends(void **state)
 
 /* ---- random flights against the sampled distance ---- */
 
-static void test_random_sweeps(void **state)
+TEST(test_random_sweeps)
 {
-    (void)state;
     wfRandom r = random_stream(2101);
     Tally tally = { { 0 }, 0, 0 };
     for (int i = 0; i < 1800; i++) {
@@ -94,9 +92,8 @@ static void test_random_sweeps(void **state)
 }
 
 /* rods and needles that meet end-on, side-on, in parallel, with equal angular speeds, and marbles beside mountains */
-static void test_degenerate_sweeps(void **state)
+TEST(test_degenerate_sweeps)
 {
-    (void)state;
     wfRandom r = random_stream(2102);
     Tally tally = { { 0 }, 0, 0 };
     for (int i = 0; i < 800; i++) {
@@ -117,9 +114,8 @@ static void test_degenerate_sweeps(void **state)
 }
 
 /* a body in many places at once: what one bound allows, the others must not contradict */
-static void test_every_bound_is_conservative(void **state)
+TEST(test_every_bound_is_conservative)
 {
-    (void)state;
     wfRandom r = random_stream(2103);
     long steps[WF_ADVANCE_KINDS] = { 0 };
     for (int i = 0; i < 600; i++) {
@@ -201,9 +197,8 @@ static Bounds bounds_of(const Pair *p, P n, double room)
     return b;
 }
 
-static void test_first_steps_are_what_the_bounds_allow(void **state)
+TEST(test_first_steps_are_what_the_bounds_allow)
 {
-    (void)state;
     wfRandom r = random_stream(2104);
     long better = 0, disc = 0, tried = 0;
     for (int i = 0; i < 3000; i++) {
@@ -245,9 +240,8 @@ static void assert_between(double got, double lo, double hi)
     fail();
 }
 
-static void test_circle_against_wall(void **state)
+TEST(test_circle_against_wall)
 {
-    (void)state;
     static const double speeds[] = { 1, 30, 1e3, 1e5 };
     static const double walls[] = { 0.001, 0.01, 1 };
     for (int i = 0; i < 4; i++) for (int k = 0; k < 3; k++) for (int far = 0; far < 2; far++) {
@@ -277,9 +271,8 @@ static double circles_meet(P c, P v, double R)
     return root < 0 ? -1 : (-b - sqrt(root)) / a;
 }
 
-static void test_two_circles(void **state)
+TEST(test_two_circles)
 {
-    (void)state;
     wfRandom r = random_stream(2105);
     long touched = 0, grazed = 0;
     for (int i = 0; i < 4000; i++) {
@@ -313,9 +306,8 @@ static void test_two_circles(void **state)
 
 /* A rod of half length L and half thickness h turns about its middle; a peg stands at R. They touch where the rod's middle line
    is asin((h + rho) / R) before the peg's direction. */
-static void test_spinning_rod(void **state)
+TEST(test_spinning_rod)
 {
-    (void)state;
     wfRandom r = random_stream(2106);
     for (int i = 0; i < 500; i++) {
         double h = (double)wfRandomReal(&r, WF_R(0.01), WF_R(0.1)), rho = (double)wfRandomReal(&r, WF_R(0.01), WF_R(0.1));
@@ -337,9 +329,8 @@ static void test_spinning_rod(void **state)
 }
 
 /* A rod that reaches its peg nowhere is done by the circle that it stays in; one that spins hundreds of times, too. */
-static void test_many_turns(void **state)
+TEST(test_many_turns)
 {
-    (void)state;
     static const double turns[] = { 1, 7, 100, 5000 };
     for (int i = 0; i < 4; i++) {
         Pair p = { .a = box(1, 0.1), .b = box(2, 0.5) };
@@ -358,9 +349,8 @@ static void test_many_turns(void **state)
     }
 }
 
-static void test_bullets_do_not_tunnel(void **state)
+TEST(test_bullets_do_not_tunnel)
 {
-    (void)state;
     wfRandom r = random_stream(2107);
     Tally tally = { { 0 }, 0, 0 };
     for (int i = 0; i < 600; i++) {
@@ -385,9 +375,8 @@ static void test_bullets_do_not_tunnel(void **state)
 }
 
 /* Two rods that spin many times and miss each other: the search gives up, says so, and what it says is true. */
-static void test_unfinished_is_honest(void **state)
+TEST(test_unfinished_is_honest)
 {
-    (void)state;
     wfRandom r = random_stream(2111);
     long open = 0, touched = 0;
     for (int i = 0; i < 1500; i++) {
@@ -416,9 +405,8 @@ static void test_unfinished_is_honest(void **state)
 
 /* ---- the beginning of the motion ---- */
 
-static void test_overlap_at_the_beginning(void **state)
+TEST(test_overlap_at_the_beginning)
 {
-    (void)state;
     wfShape a = box(1, 1), b = circle(0, 0, 0.5), c = box(0.2, 0.2);
     wfSweep still = wfSweepStill(wfV2(0, 0), 0);
     wfSweep deep = { wfV2(WF_R(1.2), 0), wfV2(9, 0), 0, 3 }, inside = { wfV2(0, 0), wfV2(9, 0), 0, 3 };
@@ -435,9 +423,8 @@ static void test_overlap_at_the_beginning(void **state)
     assert_true(hit.t == 0);
 }
 
-static void test_near_bodies_may_move(void **state)
+TEST(test_near_bodies_may_move)
 {
-    (void)state;
     wfShape floor = box(10, 1), crate = box(0.5, 0.5), ball = circle(0, 0, 0.5);
     wfSweep still = wfSweepStill(wfV2(0, -1), 0);
     wfImpact hit;
@@ -461,9 +448,8 @@ static void test_near_bodies_may_move(void **state)
     }
 }
 
-static void test_grazing(void **state)
+TEST(test_grazing)
 {
-    (void)state;
     wfShape wall = box(1, 1), ball = circle(0, 0, 0.5);
     wfSweep still = wfSweepStill(wfV2(0, 0), 0);
     for (int i = -20; i <= 20; i++) {
@@ -481,9 +467,8 @@ static void test_grazing(void **state)
 
 static Pair swapped(Pair p) { return (Pair){ p.b, p.a, p.sb, p.sa }; }
 
-static void test_symmetries(void **state)
+TEST(test_symmetries)
 {
-    (void)state;
     wfRandom r = random_stream(2108);
     long same = 0, all = 0;
     for (int i = 0; i < 500; i++) {
@@ -520,9 +505,8 @@ static void test_symmetries(void **state)
 static wfVec2 on_grid(wfVec2 v) { return wfV2(wfFloor(v.x * 512) / 512, wfFloor(v.y * 512) / 512); }
 
 /* 8 km from the origin all digits of the answer are the same: places on a grid that floats still hold out there */
-static void test_far_from_the_origin(void **state)
+TEST(test_far_from_the_origin)
 {
-    (void)state;
     wfRandom r = random_stream(2112);
     wfVec2 offset = wfV2(8192, -4096);
     for (int i = 0; i < 300; i++) {
@@ -542,9 +526,8 @@ static void test_far_from_the_origin(void **state)
 }
 
 /* Played backwards, a flight that touches nothing still touches nothing, and one through a body stops on the other side. */
-static void test_time_reversal(void **state)
+TEST(test_time_reversal)
 {
-    (void)state;
     wfRandom r = random_stream(2109);
     for (int i = 0; i < 400; i++) {
         Pair p = random_pair(&r, 5, 2), back = p;
@@ -567,9 +550,8 @@ static void test_time_reversal(void **state)
 
 /* ---- particles, links, segments ---- */
 
-static void test_particles_and_links(void **state)
+TEST(test_particles_and_links)
 {
-    (void)state;
     wfShape none, ball = circle(0, 0, 0.25), link, segment;
     memset(&none, 0, sizeof none);
     wfImpact hit;
@@ -601,9 +583,8 @@ static void test_particles_and_links(void **state)
 }
 
 /* Which side a shape is on is told by its centre, at the beginning, also close to the line and for links far from their body's origin. */
-static void test_sides_of_a_link(void **state)
+TEST(test_sides_of_a_link)
 {
-    (void)state;
     wfShape link, ball = circle(0.5, 0, 0.1);
     assert_ok(wfMakeLink(wfV2(4, 3), wfV2(2, 3), wfV2(-2, 3), wfV2(-4, 3), &link));         /* outside is +y */
     for (int k = 0; k < 8; k++) {
@@ -626,9 +607,8 @@ static void test_sides_of_a_link(void **state)
 #define UNCHANGED(result, call) do { wfImpact out_, before_; memset(&out_, 0x5a, sizeof out_); before_ = out_; wfImpact *out = &out_; \
     assert_result(result, call); assert_memory_equal(&out_, &before_, sizeof out_); } while (0)
 
-static void test_bad_input(void **state)
+TEST(test_bad_input)
 {
-    (void)state;
     wfShape a = box(1, 1), b = circle(0, 0, 1), bad = a;
     wfSweep s = { wfV2(0, 0), wfV2(1, 0), 0, 1 }, t = { wfV2(5, 0), wfV2(4, 0), 0, 1 };
     wfImpactTrace trace;
@@ -682,9 +662,8 @@ static void test_bad_input(void **state)
 }
 
 /* Whatever finite motion is asked for, the answer is finite, and an error leaves nothing behind. */
-static void test_wild_numbers(void **state)
+TEST(test_wild_numbers)
 {
-    (void)state;
     wfRandom r = random_stream(2110);
     long fine = 0;
     for (int i = 0; i < 20000; i++) {
@@ -707,32 +686,4 @@ static void test_wild_numbers(void **state)
         assert_true(wfIsFinite(hit.distance) && wfIsFinite(hit.touching) && wfIsFinite2(hit.normal) && wfIsFinite2(hit.point));
     }
     assert_true(fine > 5000);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_a_sweep_keeps_its_ends),
-        cmocka_unit_test(test_random_sweeps),
-        cmocka_unit_test(test_degenerate_sweeps),
-        cmocka_unit_test(test_every_bound_is_conservative),
-        cmocka_unit_test(test_first_steps_are_what_the_bounds_allow),
-        cmocka_unit_test(test_circle_against_wall),
-        cmocka_unit_test(test_two_circles),
-        cmocka_unit_test(test_spinning_rod),
-        cmocka_unit_test(test_many_turns),
-        cmocka_unit_test(test_bullets_do_not_tunnel),
-        cmocka_unit_test(test_unfinished_is_honest),
-        cmocka_unit_test(test_overlap_at_the_beginning),
-        cmocka_unit_test(test_near_bodies_may_move),
-        cmocka_unit_test(test_grazing),
-        cmocka_unit_test(test_symmetries),
-        cmocka_unit_test(test_far_from_the_origin),
-        cmocka_unit_test(test_time_reversal),
-        cmocka_unit_test(test_particles_and_links),
-        cmocka_unit_test(test_sides_of_a_link),
-        cmocka_unit_test(test_bad_input),
-        cmocka_unit_test(test_wild_numbers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -92,9 +92,8 @@ static void check_cast(const Case *c, long *kinds)
     }
 }
 
-static void test_random_casts(void **state)
+TEST(test_random_casts)
 {
-    (void)state;
     wfRandom r = random_stream(2120);
     long kinds[4] = { 0 };
     for (int i = 0; i < 3000; i++) {
@@ -116,9 +115,8 @@ static void test_random_casts(void **state)
     assert_int_equal(kinds[WF_IMPACT_UNFINISHED], 0);
 }
 
-static void test_casts_in_closed_form(void **state)
+TEST(test_casts_in_closed_form)
 {
-    (void)state;
     wfShape ball = circle(0, 0, 0.5), wall = box(1, 2), other = circle(0, 0, 1.5), crate = box(0.25, 0.25);
     wfTransform at0 = at(0, 0, 0);
     wfCast hit;
@@ -153,9 +151,8 @@ static void test_casts_in_closed_form(void **state)
     assert_true(hit.kind == WF_IMPACT_APART && hit.fraction == 1);
 }
 
-static void test_casts_that_begin_at_the_target(void **state)
+TEST(test_casts_that_begin_at_the_target)
 {
-    (void)state;
     wfShape ball = circle(0, 0, 0.5), wall = box(1, 2);
     wfCast hit;
     for (int k = 0; k < 3; k++) {
@@ -177,9 +174,8 @@ static void test_casts_that_begin_at_the_target(void **state)
     assert_true(hit.kind == WF_IMPACT_APART && hit.fraction == 1);
 }
 
-static void test_casts_of_particles_and_links(void **state)
+TEST(test_casts_of_particles_and_links)
 {
-    (void)state;
     wfShape none, ball = circle(0, 0, 0.25), link;
     wfCast hit;
     memset(&none, 0, sizeof none);
@@ -202,9 +198,8 @@ static void test_casts_of_particles_and_links(void **state)
 #define CAST_UNCHANGED(result, call) do { wfCast out_, before_; memset(&out_, 0x5a, sizeof out_); before_ = out_; wfCast *out = &out_; \
     assert_result(result, call); assert_memory_equal(&out_, &before_, sizeof out_); } while (0)
 
-static void test_bad_casts(void **state)
+TEST(test_bad_casts)
 {
-    (void)state;
     wfShape a = box(1, 1), b = circle(0, 0, 1), bad = a;
     wfTransform x = at(0, 0, 0), y = at(9, 0, 20);
     wfVec2 by = wfV2(3, 0);
@@ -227,9 +222,8 @@ static void test_bad_casts(void **state)
 
 /* ---- who is fast ---- */
 
-static void test_who_is_fast(void **state)
+TEST(test_who_is_fast)
 {
-    (void)state;
     wfShape rounded, capsule, segment;
     assert_ok(wfMakeRoundedBox(1, WF_R(0.3), WF_R(0.2), &rounded));
     assert_ok(wfMakeCapsule(wfV2(-1, 0), wfV2(1, 0), WF_R(0.25), &capsule));
@@ -284,9 +278,8 @@ static wfShape inner_copy(const wfShape *s, wfReal sigma, bool shrunk)      /* e
 
 /* What the copy is for: it lies within the shape, and its own inner radius is sigma times the shape's. Where no edge vanishes it lies equally
  * deep below every edge: a rod keeps its length but for that. */
-static void test_the_inner_copy_is_as_deep_everywhere(void **state)
+TEST(test_the_inner_copy_is_as_deep_everywhere)
 {
-    (void)state;
     wfRandom r = random_stream(2124);
     long even = 0;
     for (int i = 0; i < 2000; i++) {
@@ -335,9 +328,8 @@ static wfReal stop_of_one(const wfShape *body, wfSweep flight, const wfObstacle 
     return stop_with(body, flight, o, WF_R(0.75), inner);
 }
 
-static void test_stop_at_the_first(void **state)
+TEST(test_stop_at_the_first)
 {
-    (void)state;
     wfRandom r = random_stream(2121);
     long stopped = 0, inners = 0, passed = 0, stucks = 0, grazed = 0;
     for (int i = 0; i < 600; i++) {
@@ -413,9 +405,8 @@ static void test_stop_at_the_first(void **state)
 }
 
 /* A body lies 0.1 deep in the floor. Whatever pushes it, its inner copy does not get through, and it may roll and slide. */
-static void test_the_inner_copy_stops_what_touches_already(void **state)
+TEST(test_the_inner_copy_stops_what_touches_already)
 {
-    (void)state;
     wfShape ball = circle(0, 0, 1), crate = box(2, 1), coated, floor = box(20, 0.25), post = box(0.1, 5), offside;
     wfVec2 corners[3] = { wfV2(0, 0), wfV2(3, 0), wfV2(0, 3) };
     assert_ok(wfMakeRoundedBox(WF_R(1.5), WF_R(0.5), WF_R(0.5), &coated));
@@ -478,9 +469,8 @@ static void test_the_inner_copy_stops_what_touches_already(void **state)
 }
 
 /* A crate slides at any speed over a hundred tiles, a hair above them, on them, or a little in them. */
-static void test_seams_do_not_stop(void **state)
+TEST(test_seams_do_not_stop)
 {
-    (void)state;
     wfShape crate = box(0.5, 0.5), ball = circle(0, 0, 0.5), tile = box(0.5, 0.25);
     wfObstacle tiles[101];
     wfStop stop;
@@ -497,9 +487,8 @@ static void test_seams_do_not_stop(void **state)
 }
 
 /* An unfinished search stops the body where it was given up: nothing is touched before. */
-static void test_an_unfinished_search_stops_too(void **state)
+TEST(test_an_unfinished_search_stops_too)
 {
-    (void)state;
     wfRandom r = random_stream(2122);
     long open = 0;
     for (int i = 0; i < 3000; i++) {
@@ -528,9 +517,8 @@ static void test_an_unfinished_search_stops_too(void **state)
 #define STOP_UNCHANGED(result, call) do { wfStop out_, before_; memset(&out_, 0x5a, sizeof out_); before_ = out_; wfStop *out = &out_; \
     assert_result(result, call); assert_memory_equal(&out_, &before_, sizeof out_); } while (0)
 
-static void test_bad_stops(void **state)
+TEST(test_bad_stops)
 {
-    (void)state;
     wfShape a = box(1, 1), b = circle(0, 0, 1), bad = a;
     bad.kind = -1;
     wfSweep s = { wfV2(0, 0), wfV2(1, 0), 0, 1 }, nan = s, far = s;
@@ -558,23 +546,4 @@ static void test_bad_stops(void **state)
     assert_true(stop.obstacle == WF_NO_OBSTACLE && stop.t == WF_R(0.5) && !stop.inner && stop.impact.steps == 0);
     assert_ok(wfFirstTimeOfImpact(&a, s, good, 2, 0, &stop));
     assert_true(stop.t == 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_random_casts),
-        cmocka_unit_test(test_casts_in_closed_form),
-        cmocka_unit_test(test_casts_that_begin_at_the_target),
-        cmocka_unit_test(test_casts_of_particles_and_links),
-        cmocka_unit_test(test_bad_casts),
-        cmocka_unit_test(test_who_is_fast),
-        cmocka_unit_test(test_the_inner_copy_is_as_deep_everywhere),
-        cmocka_unit_test(test_stop_at_the_first),
-        cmocka_unit_test(test_the_inner_copy_stops_what_touches_already),
-        cmocka_unit_test(test_seams_do_not_stop),
-        cmocka_unit_test(test_an_unfinished_search_stops_too),
-        cmocka_unit_test(test_bad_stops),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -16,31 +16,21 @@ static wfWorld make_world(int bodies)
     return world;
 }
 
-static wfBodyDef box_def(double x, double y, double half)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y);
-    assert_ok(wfMakeBox((wfReal)half, (wfReal)half, &def.shape));
-    return def;
-}
-
 static void steps(wfWorld *world, int n)
 {
     for (int i = 0; i < n; i++) assert_ok(wfStepWorld(world));
 }
 
 /* Nothing says how fast an overlap is to be left where nothing falls. So it is left by moving, and nobody has a velocity. */
-static void who_is_born_in_one_place_without_gravity_parts_in_peace(void **state)
+TEST(who_is_born_in_one_place_without_gravity_parts_in_peace)
 {
-    (void)state;
     for (int limit = 0; limit < 2; limit++) {
         wfWorldDef def = wfDefaultWorldDef();
-        wfWorld world;
         double fastest = 0, nearest = 2;
         wfBodyInfo all[5];
         def.gravity = wfV2(0, 0);
         if (limit == 0) def.advanced.contactPushSpeed = 0;           /* asked for: no limit */
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         for (int i = 0; i < 5; i++) add(&world, ball_def(0, 0, 0.5));
         for (int k = 0; k < 300; k++) {
             steps(&world, 1);
@@ -60,12 +50,11 @@ static void who_is_born_in_one_place_without_gravity_parts_in_peace(void **state
     }
 }
 
-static void a_door_turns_about_its_hinge(void **state)
+TEST(a_door_turns_about_its_hinge)
 {
     wfWorld world = make_world(2);
-    wfBodyDef def = box_def(3, 4, 0.5);
+    wfBodyDef def = square_def(3, 4, 0.5);
     wfBodyInfo is;
-    (void)state;
     wfShapeMove(&def.shape, wfV2(2, 0));
     def.type = WF_KINEMATIC;
     def.angularVelocity = WF_PI / 2;
@@ -86,7 +75,7 @@ static wfWorld pile(int n)                                /* a busy world: boxes
     wfWorld world = make_world(n + 1);
     add(&world, floor_def());
     for (int i = 0; i < n; i++) {
-        wfBodyDef d = i % 2 ? box_def(i % 5 - 2, 1 + i / 5, 0.4) : ball_def(i % 5 - 2, 1 + i / 5, 0.4);
+        wfBodyDef d = i % 2 ? square_def(i % 5 - 2, 1 + i / 5, 0.4) : ball_def(i % 5 - 2, 1 + i / 5, 0.4);
         d.restitution = WF_R(0.3);
         d.angularVelocity = (wfReal)(i % 3);
         d.linearDamping = i % 4 == 0 ? WF_R(0.1) : 0;
@@ -97,16 +86,14 @@ static wfWorld pile(int n)                                /* a busy world: boxes
 
 /* ------------------------------------------------------------------------------ motion */
 
-static void free_flight_is_the_parabola(void **unused)
+TEST(free_flight_is_the_parabola)
 {
-    (void)unused;
     const double dts[] = { 1.0 / 64, 1.0 / 4, 2.0 };
     for (int k = 0; k < 3; k++) {
         wfWorldDef wd = wfDefaultWorldDef();
         wd.gravity = wfV2(WF_R(0.5), -8);
         wd.timeStep = (wfReal)dts[k];
-        wfWorld world;
-        assert_ok(wfCreateWorld(&wd, &world));
+        wfWorld world = world_with(&wd);
         wfBodyDef d = ball_def(3, 5, 0.5);
         d.velocity = wfV2(4, 16);
         d.angularVelocity = WF_R(0.25);
@@ -128,9 +115,8 @@ static void free_flight_is_the_parabola(void **unused)
     }
 }
 
-static void gravity_scale_and_kinds_of_body(void **unused)
+TEST(gravity_scale_and_kinds_of_body)
 {
-    (void)unused;
     wfWorld world = make_world(8);
     wfBodyDef d = ball_def(0, 0, 0.1);
     d.gravityScale = -2;
@@ -156,17 +142,15 @@ static void gravity_scale_and_kinds_of_body(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void damping_does_not_depend_on_the_step(void **unused)
+TEST(damping_does_not_depend_on_the_step)
 {
-    (void)unused;
     /* Without forces v(t) = v0 exp(-c t) at every step. With gravity the splitting in halves is of second order: the
      * error falls by 4 when the step is halved. Terminal velocity is g/c = 2. */
     double error[2];
     for (int k = 0; k < 2; k++) {
         wfWorldDef wd = wfDefaultWorldDef();
         wd.timeStep = k == 0 ? WF_R(0.25) : WF_R(0.125);
-        wfWorld world;
-        assert_ok(wfCreateWorld(&wd, &world));
+        wfWorld world = world_with(&wd);
         wfBodyDef d = ball_def(0, 0, 0.5);
         d.linearDamping = WF_R(4.905);
         d.angularDamping = 2;
@@ -185,9 +169,8 @@ static void damping_does_not_depend_on_the_step(void **unused)
     assert_true(error[0] / error[1] > 3.5 && error[0] / error[1] < 5);
 }
 
-static void damping_and_material_can_be_changed(void **unused)
+TEST(damping_and_material_can_be_changed)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     assert_ok(wfSetGravity(&world, wfV2(0, 0)));
     wfBodyDef d = ball_def(0, 5, 0.5);
@@ -209,12 +192,11 @@ static void damping_and_material_can_be_changed(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void a_heavy_body_that_cannot_turn_still_collides(void **unused)
+TEST(a_heavy_body_that_cannot_turn_still_collides)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     add(&world, floor_def());
-    wfBodyDef d = box_def(0, 0.5, 0.5);
+    wfBodyDef d = square_def(0, 0.5, 0.5);
     d.mass = 50;
     d.fixedRotation = 1;
     wfBodyId id = add(&world, d);
@@ -223,15 +205,13 @@ static void a_heavy_body_that_cannot_turn_still_collides(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void pushes_act_for_one_step(void **unused)
+TEST(pushes_act_for_one_step)
 {
-    (void)unused;
     wfWorldDef wd = wfDefaultWorldDef();
     wd.gravity = wfV2(0, 0);
     wd.timeStep = WF_R(0.5);
-    wfWorld world;
-    assert_ok(wfCreateWorld(&wd, &world));
-    wfBodyDef d = box_def(1, 1, 0.5);                     /* 1 kg, I = 1/6 */
+    wfWorld world = world_with(&wd);
+    wfBodyDef d = square_def(1, 1, 0.5);                     /* 1 kg, I = 1/6 */
     wfBodyId id = add(&world, d);
     assert_ok(wfApplyForceToBody(&world, id, wfV2(2, 0), wfV2(1, WF_R(1.5))));
     assert_ok(wfApplyForceToBody(&world, id, wfV2(0, 4), wfV2(1, 1)));
@@ -251,9 +231,8 @@ static void pushes_act_for_one_step(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void position_is_that_of_the_origin(void **unused)
+TEST(position_is_that_of_the_origin)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     assert_ok(wfSetGravity(&world, wfV2(0, 0)));
     wfBodyDef d = wfDefaultBodyDef();
@@ -280,11 +259,10 @@ static void position_is_that_of_the_origin(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void mass_comes_from_density_or_as_given(void **unused)
+TEST(mass_comes_from_density_or_as_given)
 {
-    (void)unused;
     wfWorld world = make_world(8);
-    wfBodyDef d = box_def(0, 0, 1);                       /* 4 m^2 */
+    wfBodyDef d = square_def(0, 0, 1);                       /* 4 m^2 */
     d.density = 3;
     wfBodyId a = add(&world, d);
     assert_near(info(&world, a).mass, 12, 1e-5);
@@ -307,15 +285,13 @@ static void mass_comes_from_density_or_as_given(void **unused)
 
 /* ------------------------------------------------------------------------------ collisions through the pipeline */
 
-static void ball_bounces_to_e_squared_h(void **unused)
+TEST(ball_bounces_to_e_squared_h)
 {
-    (void)unused;
     for (int k = 1; k <= 3; k++) {
         double e = k * 0.25, h = 1.0 / 960, drop = 2, radius = 0.25;
         wfWorldDef wd = wfDefaultWorldDef();
         wd.timeStep = (wfReal)h;
-        wfWorld world;
-        assert_ok(wfCreateWorld(&wd, &world));
+        wfWorld world = world_with(&wd);
         add(&world, floor_def());
         wfBodyDef d = ball_def(0, drop + radius, radius);
         d.restitution = (wfReal)e;
@@ -334,9 +310,8 @@ static void ball_bounces_to_e_squared_h(void **unused)
     }
 }
 
-static void two_balls_trade_velocities(void **unused)
+TEST(two_balls_trade_velocities)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     assert_ok(wfSetGravity(&world, wfV2(0, 0)));
     wfBodyDef d = ball_def(0, 0, 0.5);
@@ -362,14 +337,13 @@ static void two_balls_trade_velocities(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void a_gas_keeps_momentum_and_energy(void **unused)
+TEST(a_gas_keeps_momentum_and_energy)
 {
-    (void)unused;
     wfWorld world = make_world(64);
     assert_ok(wfSetGravity(&world, wfV2(0, 0)));
     wfRandom r = random_stream(24);
     for (int i = 0; i < 60; i++) {
-        wfBodyDef d = i % 2 ? ball_def(i % 8, i / 8, 0.3) : box_def(i % 8, i / 8, 0.3);
+        wfBodyDef d = i % 2 ? ball_def(i % 8, i / 8, 0.3) : square_def(i % 8, i / 8, 0.3);
         d.velocity = random_v2(&r, -2, 2);
         d.angularVelocity = wfRandomReal(&r, -2, 2);
         d.restitution = 1;
@@ -398,12 +372,11 @@ static void a_gas_keeps_momentum_and_energy(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void a_box_comes_to_rest(void **unused)
+TEST(a_box_comes_to_rest)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     add(&world, floor_def());
-    wfBodyDef d = box_def(0, 1.5, 0.5);
+    wfBodyDef d = square_def(0, 1.5, 0.5);
     d.restitution = WF_R(0.5);
     wfBodyId id = add(&world, d);
     steps(&world, 600);
@@ -422,12 +395,11 @@ static void a_box_comes_to_rest(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void pairs_that_need_no_test_get_none(void **unused)
+TEST(pairs_that_need_no_test_get_none)
 {
-    (void)unused;
     wfWorld world = make_world(16);
     assert_ok(wfSetGravity(&world, wfV2(0, 0)));
-    wfBodyDef d = box_def(0, 0, 1);
+    wfBodyDef d = square_def(0, 0, 1);
     d.type = WF_STATIC;
     add(&world, d);
     add(&world, d);
@@ -453,9 +425,8 @@ static void pairs_that_need_no_test_get_none(void **unused)
 
 /* ------------------------------------------------------------------------------ ids */
 
-static void ids_name_one_body_for_ever(void **unused)
+TEST(ids_name_one_body_for_ever)
 {
-    (void)unused;
     wfWorld world = make_world(3);
     wfBodyId a = add(&world, ball_def(0, 0, 1)), b = add(&world, ball_def(5, 0, 1)), c = add(&world, ball_def(10, 0, 1));
     assert_true(a.index == 1 && b.index == 2 && c.index == 3);
@@ -481,9 +452,8 @@ static void ids_name_one_body_for_ever(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void stale_ids_are_refused_everywhere(void **unused)
+TEST(stale_ids_are_refused_everywhere)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     wfBodyId gone = add(&world, ball_def(0, 0, 1));
     add(&world, ball_def(3, 0, 1));
@@ -515,11 +485,10 @@ static void stale_ids_are_refused_everywhere(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void removal_takes_forces_and_contacts_along(void **unused)
+TEST(removal_takes_forces_and_contacts_along)
 {
-    (void)unused;
     wfWorld world = make_world(4);
-    wfBodyId ground = add(&world, floor_def()), a = add(&world, box_def(0, 0.45, 0.5)), b = add(&world, box_def(3, 0.45, 0.5));
+    wfBodyId ground = add(&world, floor_def()), a = add(&world, square_def(0, 0.45, 0.5)), b = add(&world, square_def(3, 0.45, 0.5));
     wfForceId hand, other;
     assert_ok(wfAddMouseJoint(&world, a, wfV2(0, WF_R(0.45)), &hand));
     assert_ok(wfAddMouseJoint(&world, b, wfV2(3, WF_R(0.45)), &other));
@@ -549,9 +518,8 @@ static void removal_takes_forces_and_contacts_along(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void a_world_with_holes_equals_one_without(void **unused)
+TEST(a_world_with_holes_equals_one_without)
 {
-    (void)unused;
     wfWorld one = make_world(8), two = make_world(8);
     wfBodyId extra = add(&two, ball_def(50, 50, 1));
     wfBodyId a1 = add(&one, floor_def()), b1 = add(&one, ball_def(0, 2, 0.5));
@@ -567,9 +535,8 @@ static void a_world_with_holes_equals_one_without(void **unused)
 
 /* ------------------------------------------------------------------------------ one block of bytes */
 
-static void a_world_moves_house_every_step(void **unused)
+TEST(a_world_moves_house_every_step)
 {
-    (void)unused;
     wfWorld stays = pile(20), moves = pile(20);
     size_t permanent = moves.memory.permanentSize, transient = moves.memory.transientSize;
     _Alignas(16) static uint8_t room[2][1 << 20], scratch[1 << 20];
@@ -594,9 +561,8 @@ static void a_world_moves_house_every_step(void **unused)
     wfDestroyWorld(&moves);
 }
 
-static void a_snapshot_goes_back_in_time(void **unused)
+TEST(a_snapshot_goes_back_in_time)
 {
-    (void)unused;
     wfWorld world = pile(15);
     steps(&world, 30);
     void *snapshot = copy_of(&world);
@@ -615,9 +581,8 @@ static void a_snapshot_goes_back_in_time(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void equal_worlds_have_equal_hashes_and_others_do_not(void **unused)
+TEST(equal_worlds_have_equal_hashes_and_others_do_not)
 {
-    (void)unused;
     wfWorld one = pile(10), two = pile(10);
     steps(&one, 50);
     steps(&two, 50);
@@ -651,9 +616,8 @@ static void equal_worlds_have_equal_hashes_and_others_do_not(void **unused)
     wfDestroyWorld(&two);
 }
 
-static void the_layout_is_what_was_asked_for(void **unused)
+TEST(the_layout_is_what_was_asked_for)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 37;
     def.forceCapacity = 5;
@@ -674,8 +638,7 @@ static void the_layout_is_what_was_asked_for(void **unused)
     assert_int_equal(region[WF_REGION_STATE].each, sizeof(wfBodyState));
     assert_int_equal(region[WF_REGION_PAIRS].count, 11);
     assert_int_equal(region[WF_REGION_CONTACTS].count, 7);
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     const uint8_t *base = world.memory.permanent;
     assert_ptr_equal((const uint8_t *)wfWorldBodies(&world).state, base + region[WF_REGION_STATE].offset);
     assert_ptr_equal((const uint8_t *)wfWorldBodies(&world).shapes, base + region[WF_REGION_SHAPES].offset);
@@ -684,9 +647,8 @@ static void the_layout_is_what_was_asked_for(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void capacities_left_open_are_chosen(void **unused)
+TEST(capacities_left_open_are_chosen)
 {
-    (void)unused;
     static const int32_t cases[][5] = {         /* bodies, pairs, contacts given; pairs, contacts got */
         { 1, 0, 0, 1, 1 }, { 4, 0, 0, 6, 6 }, { 27, 0, 0, 351, 351 }, { 28, 0, 0, 378, 368 }, { 33, 0, 0, 528, 388 }, { 34, 0, 0, 544, 392 }, { 100, 0, 0, 1600, 656 },
         { 100, 50, 0, 50, 50 }, { 100, 0, 9, 1600, 9 }, { 100, 7, 70, 7, 70 } };
@@ -697,8 +659,7 @@ static void capacities_left_open_are_chosen(void **unused)
         def.advanced.contactCapacity = cases[i][2];
         def.advanced.restitutionThreshold = 0;
         def.advanced.slop = 0;
-        wfWorld world;
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         assert_ok(wfGetWorldDef(&world, &got));
         assert_int_equal(got.advanced.pairCapacity, cases[i][3]);
         assert_int_equal(got.advanced.contactCapacity, cases[i][4]);
@@ -706,9 +667,8 @@ static void capacities_left_open_are_chosen(void **unused)
     }
 }
 
-static void memory_may_be_handed_over(void **unused)
+TEST(memory_may_be_handed_over)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 8;
     size_t permanent, transient;
@@ -731,7 +691,7 @@ static void memory_may_be_handed_over(void **unused)
     assert_ok(wfCreateWorld(&def, &world));
     assert_ptr_equal(world.memory.permanent, p);
     add(&world, floor_def());
-    add(&world, box_def(0, 0.6, 0.5));
+    add(&world, square_def(0, 0.6, 0.5));
     steps(&world, 60);
     for (size_t i = permanent; i < sizeof p; i++) assert_true(p[i] == 0xee);   /* not a byte beyond */
     for (size_t i = transient; i < sizeof t; i++) assert_true(t[i] == 0xee);
@@ -746,14 +706,12 @@ static void deepen_stack(int rubbish)                     /* leaves rubbish wher
     for (size_t i = 0; i < sizeof bytes; i++) bytes[i] = (uint8_t)rubbish;
 }
 
-static void equal_worlds_are_equal_byte_for_byte(void **unused)
+TEST(equal_worlds_are_equal_byte_for_byte)
 {
-    (void)unused;
     _Alignas(16) static uint8_t p[2][1 << 19], t[2][1 << 19];
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 16;
     for (int k = 0; k < 2; k++) {
-        wfWorld world;
         memset(p[k], k == 0 ? 0x33 : 0xcc, sizeof p[k]);
         memset(t[k], k == 0 ? 0x55 : 0xaa, sizeof t[k]);
         size_t permanent, transient;
@@ -761,10 +719,10 @@ static void equal_worlds_are_equal_byte_for_byte(void **unused)
         assert_true(permanent <= sizeof p[k] && transient <= sizeof t[k]);
         def.memory = (wfMemory){ p[k], permanent, t[k], transient, 0 };
         deepen_stack(k == 0 ? 0x77 : 0x88);
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         add(&world, floor_def());
         for (int i = 0; i < 10; i++) {
-            wfBodyDef d = i % 2 ? box_def(i % 3, 1 + i, 0.4) : ball_def(i % 3, 1 + i, 0.4);
+            wfBodyDef d = i % 2 ? square_def(i % 3, 1 + i, 0.4) : ball_def(i % 3, 1 + i, 0.4);
             deepen_stack(k == 0 ? 0x77 : 0x88);
             add(&world, d);
         }
@@ -781,9 +739,8 @@ static void equal_worlds_are_equal_byte_for_byte(void **unused)
     assert_memory_equal(p[0], p[1], sizeof p[0]);
 }
 
-static void handles_of_nothing_are_refused(void **unused)
+TEST(handles_of_nothing_are_refused)
 {
-    (void)unused;
     wfWorld none = { .memory = { .owned = 0 } };
     wfWorld *worlds[] = { NULL, &none };
     for (int i = 0; i < 2; i++) {
@@ -837,9 +794,8 @@ static void handles_of_nothing_are_refused(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void bodies_and_forces_of_no_world_are_refused(void **unused)
+TEST(bodies_and_forces_of_no_world_are_refused)
 {
-    (void)unused;
     wfWorld none = { .memory = { .owned = 0 } };
     wfWorld *worlds[] = { NULL, &none };
     for (int i = 0; i < 2; i++) {
@@ -882,9 +838,8 @@ static void bodies_and_forces_of_no_world_are_refused(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void handles_askew_are_refused(void **unused)      /* an address that is no multiple of 16, in either chunk */
+TEST(handles_askew_are_refused)      /* an address that is no multiple of 16, in either chunk */
 {
-    (void)unused;
     wfWorld world = make_world(2), out = world;
     for (int chunk = 0; chunk < 2; chunk++) {
         wfWorld askew = world;
@@ -900,9 +855,8 @@ static void handles_askew_are_refused(void **unused)      /* an address that is 
     wfDestroyWorld(&world);
 }
 
-static void ids_of_neighbours_and_of_no_one(void **unused)
+TEST(ids_of_neighbours_and_of_no_one)
 {
-    (void)unused;
     wfWorld world = make_world(3);
     wfBodyId a = add(&world, ball_def(0, 0, 1)), b = add(&world, ball_def(3, 0, 1));
     add(&world, ball_def(6, 0, 1));
@@ -919,12 +873,11 @@ static void ids_of_neighbours_and_of_no_one(void **unused)
 
 /* ------------------------------------------------------------------------------ a step that fails */
 
-static void the_hash_is_of_states_and_names_alone(void **unused)
+TEST(the_hash_is_of_states_and_names_alone)
 {
-    (void)unused;
     wfWorld small = pile(6), large = make_world(100);
     for (int i = 0; i < 7; i++) {                         /* the same bodies in a world with more room */
-        wfBodyDef d = i == 0 ? floor_def() : (i - 1) % 2 ? box_def((i - 1) % 5 - 2, 1 + (i - 1) / 5, 0.4)
+        wfBodyDef d = i == 0 ? floor_def() : (i - 1) % 2 ? square_def((i - 1) % 5 - 2, 1 + (i - 1) / 5, 0.4)
                                                          : ball_def((i - 1) % 5 - 2, 1 + (i - 1) / 5, 0.4);
         if (i > 0) {
             d.restitution = WF_R(0.3);
@@ -952,9 +905,8 @@ static void the_hash_is_of_states_and_names_alone(void **unused)
     wfDestroyWorld(&large);
 }
 
-static void a_body_replaced_by_its_equal_changes_the_hash(void **unused)
+TEST(a_body_replaced_by_its_equal_changes_the_hash)
 {
-    (void)unused;
     wfWorld world = make_world(3);
     wfBodyDef d = ball_def(1, 2, 0.5);
     wfBodyId id = add(&world, d);
@@ -966,9 +918,8 @@ static void a_body_replaced_by_its_equal_changes_the_hash(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void sums_are_added_in_double(void **unused)       /* 2^24 + 1 has no float */
+TEST(sums_are_added_in_double)       /* 2^24 + 1 has no float */
 {
-    (void)unused;
     wfWorld world = make_world(3);
     double kinetic, potential, linear[2];
     assert_ok(wfSetGravity(&world, wfV2(0, -1)));
@@ -989,16 +940,14 @@ static void sums_are_added_in_double(void **unused)       /* 2^24 + 1 has no flo
     wfDestroyWorld(&world);
 }
 
-static void too_many_pairs_leave_the_world_as_it_was(void **unused)
+TEST(too_many_pairs_leave_the_world_as_it_was)
 {
-    (void)unused;
     for (int which = 0; which < 2; which++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 8;
         def.advanced.pairCapacity = which == 0 ? 2 : 10;
         def.advanced.contactCapacity = which == 0 ? 10 : 2;
-        wfWorld world;
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         for (int i = 0; i < 3; i++) add(&world, ball_def(0.1 * i, 0, 0.5));
         wfBodyId far = add(&world, ball_def(100, 0, 0.5));
         assert_ok(wfApplyForceToBody(&world, far, wfV2(1, 0), wfV2(100, 0)));
@@ -1012,9 +961,8 @@ static void too_many_pairs_leave_the_world_as_it_was(void **unused)
     }
 }
 
-static void overflow_is_an_error_and_spreads_to_no_one(void **unused)
+TEST(overflow_is_an_error_and_spreads_to_no_one)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     wfBodyId a = add(&world, ball_def(0, 0, 0.5));
     add(&world, ball_def(0.5, 0, 0.5));
@@ -1036,9 +984,8 @@ static void overflow_is_an_error_and_spreads_to_no_one(void **unused)
 
 /* ------------------------------------------------------------------------------ bad definitions */
 
-static void bad_world_definitions_are_refused(void **unused)
+TEST(bad_world_definitions_are_refused)
 {
-    (void)unused;
     wfWorld world = { .memory = { .owned = 0 } };
     size_t p = 7, t = 7;
     for (int field = 0; field < 9; field++)
@@ -1085,15 +1032,14 @@ static void bad_world_definitions_are_refused(void **unused)
     assert_null(world.memory.permanent);
 }
 
-static void bad_body_definitions_are_refused(void **unused)
+TEST(bad_body_definitions_are_refused)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     wfBodyId id = { 77, 77 };
     void *bytes = copy_of(&world);
     for (int field = 0; field < 17; field++)
         for (int b = 0; b < BAD_REAL_COUNT; b++) {
-            wfBodyDef d = box_def(0, 0, 1);
+            wfBodyDef d = square_def(0, 0, 1);
             wfReal *place[] = { &d.position.x, &d.position.y, &d.angle, &d.velocity.x, &d.velocity.y, &d.angularVelocity,
                 &d.density, &d.mass, &d.restitution, &d.friction, &d.linearDamping, &d.angularDamping, &d.gravityScale,
                 &d.shape.vertices[0].x, &d.shape.vertices[2].y, &d.shape.normals[1].x, &d.shape.centre.y };
@@ -1105,56 +1051,55 @@ static void bad_body_definitions_are_refused(void **unused)
     static const struct { int field; double value; } range[] = { { 0, -1 }, { 1, -1 }, { 2, -0.1 }, { 2, 1.1 }, { 3, -0.1 },
         { 4, -0.1 }, { 5, -0.1 }, { 6, 1e7 }, { 6, -1e7 } };
     for (size_t i = 0; i < sizeof range / sizeof *range; i++) {
-        wfBodyDef d = box_def(0, 0, 1);
+        wfBodyDef d = square_def(0, 0, 1);
         wfReal *place[] = { &d.density, &d.mass, &d.restitution, &d.friction, &d.linearDamping, &d.angularDamping, &d.angle };
         *place[range[i].field] = (wfReal)range[i].value;
         assert_result(WF_ERROR_RANGE, wfAddBodyToWorld(&world, &d, &id));
     }
-    wfBodyDef d = box_def(0, 0, 1);
+    wfBodyDef d = square_def(0, 0, 1);
     d.type = -1;
     assert_result(WF_ERROR_RANGE, wfAddBodyToWorld(&world, &d, &id));
     d.type = WF_BODY_TYPES;
     assert_result(WF_ERROR_RANGE, wfAddBodyToWorld(&world, &d, &id));
-    d = box_def(0, 0, 1);
+    d = square_def(0, 0, 1);
     d.type = WF_STATIC;
     d.velocity.x = 1;
     assert_result(WF_ERROR_RANGE, wfAddBodyToWorld(&world, &d, &id));
     d.velocity.x = 0;
     d.angularVelocity = 1;
     assert_result(WF_ERROR_RANGE, wfAddBodyToWorld(&world, &d, &id));
-    d = box_def(0, 0, 1);
+    d = square_def(0, 0, 1);
     d.type = WF_STATIC;
     d.shape.vertices[1].x = (wfReal)NAN;
     assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
-    d = box_def(0, 0, 1);
+    d = square_def(0, 0, 1);
     d.type = WF_STATIC;
     wfVec2 swap = d.shape.vertices[1];                    /* a bow tie is no shape for a wall either */
     d.shape.vertices[1] = d.shape.vertices[2];
     d.shape.vertices[2] = swap;
     assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
-    d = box_def(0, 0, 1);
+    d = square_def(0, 0, 1);
     d.density = 0;                                        /* no mass from either */
     assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
-    d = box_def(0, 0, 1);
+    d = square_def(0, 0, 1);
     d.shape.kind = 99;
     assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
-    d = box_def(0, 0, 1);
+    d = square_def(0, 0, 1);
     d.shape.count = 1000;
     assert_int_not_equal(wfAddBodyToWorld(&world, &d, &id), WF_OK);
     assert_result(WF_ERROR_NULL, wfAddBodyToWorld(&world, NULL, &id));
     assert_unchanged(&world, bytes);
     assert_true(id.index == 77 && id.generation == 77);
-    d = box_def(0, 0, 1);
+    d = square_def(0, 0, 1);
     assert_ok(wfAddBodyToWorld(&world, &d, NULL));        /* the id is not asked for */
     assert_int_equal(wfBodyCount(&world), 1);
     wfDestroyWorld(&world);
 }
 
-static void bad_numbers_reach_no_body(void **unused)
+TEST(bad_numbers_reach_no_body)
 {
-    (void)unused;
     wfWorld world = make_world(4);
-    wfBodyId id = add(&world, box_def(0, 0, 1)), rock = add(&world, floor_def());
+    wfBodyId id = add(&world, square_def(0, 0, 1)), rock = add(&world, floor_def());
     void *bytes = copy_of(&world);
     wfVec2 v = wfV2(1, 1);
     for (int b = 0; b < BAD_REAL_COUNT; b++) {
@@ -1208,14 +1153,12 @@ static void bad_numbers_reach_no_body(void **unused)
 
 /* ------------------------------------------------------------------------------ forces, the hand, settings, views */
 
-static void forces_are_registered_and_checked(void **unused)
+TEST(forces_are_registered_and_checked)
 {
-    (void)unused;
     wfWorldDef wd = wfDefaultWorldDef();
     wd.forceCapacity = 2;
     wd.gravity = wfV2(0, 0);
-    wfWorld world;
-    assert_ok(wfCreateWorld(&wd, &world));
+    wfWorld world = world_with(&wd);
     wfBodyId id = add(&world, ball_def(0, 0, 0.5));
     wfForce pull = wfGravity(wfV2(0, -6));
     wfForceId a, b, c = { 5, 5 };
@@ -1262,9 +1205,8 @@ static void forces_are_registered_and_checked(void **unused)
 }
 
 /* The hand's numbers are checked like any force's: seven of them, each finite; a body to hold and no second one. */
-static void a_hand_checks_its_numbers(void **unused)
+TEST(a_hand_checks_its_numbers)
 {
-    (void)unused;
     wfForce good;
     memset(&good, 0, sizeof good);
     good.kind = wfFindForce("hand");
@@ -1294,11 +1236,10 @@ static void a_hand_checks_its_numbers(void **unused)
         }
 }
 
-static void a_hand_carries_a_body(void **unused)
+TEST(a_hand_carries_a_body)
 {
-    (void)unused;
     wfWorld world = make_world(4);
-    wfBodyId id = add(&world, box_def(0, 0, 0.5)), rock = add(&world, floor_def());
+    wfBodyId id = add(&world, square_def(0, 0, 0.5)), rock = add(&world, floor_def());
     wfForceId hand;
     assert_result(WF_ERROR_RANGE, wfAddMouseJoint(&world, rock, wfV2(0, 0), &hand));
     assert_result(WF_ERROR_NOT_FINITE, wfAddMouseJoint(&world, id, wfV2((wfReal)NAN, 0), &hand));
@@ -1325,17 +1266,15 @@ static void a_hand_carries_a_body(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void a_hand_is_as_stiff_as_the_step_allows(void **unused)
+TEST(a_hand_is_as_stiff_as_the_step_allows)
 {
-    (void)unused;
     /* 1 kg, I = 1/6, arm^2 = 1/2: 1/m + r^2/I = 4. At 1 ms the grip is 10 pi per second, at 0.1 s it is 5. */
     const double dt[] = { 0.001, 0.1 }, rate[] = { 31.41592653589793, 5 };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.timeStep = (wfReal)dt[k];
-        wfWorld world;
-        assert_ok(wfCreateWorld(&def, &world));
-        wfBodyId id = add(&world, box_def(2, 3, 0.5));
+        wfWorld world = world_with(&def);
+        wfBodyId id = add(&world, square_def(2, 3, 0.5));
         wfForceId hand;
         wfForce f;
         assert_ok(wfAddMouseJoint(&world, id, wfV2(WF_R(2.5), WF_R(3.5)), &hand));
@@ -1357,9 +1296,8 @@ static void a_hand_is_as_stiff_as_the_step_allows(void **unused)
     }
 }
 
-static void settings_are_kept(void **unused)
+TEST(settings_are_kept)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef(), got;
     def.gravity = wfV2(1, 2);
     def.timeStep = WF_R(0.125);
@@ -1371,8 +1309,7 @@ static void settings_are_kept(void **unused)
     def.forceCapacity = 6;
     def.advanced.pairCapacity = 7;
     def.advanced.contactCapacity = 8;
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     assert_ok(wfGetWorldDef(&world, &got));
     assert_near2(got.gravity, def.gravity, 0);
     assert_true(got.timeStep == def.timeStep && got.advanced.restitutionThreshold == 3 && got.advanced.positionCorrection == def.advanced.positionCorrection && got.advanced.slop == def.advanced.slop);
@@ -1404,9 +1341,8 @@ static void assert_same_def(const wfWorldDef *a, const wfWorldDef *b)
 #undef SAME
 }
 
-static void all_settings_can_be_changed(void **unused)
+TEST(all_settings_can_be_changed)
 {
-    (void)unused;
     wfWorld world = pile(10);
     wfWorldDef def, got;
     assert_ok(wfGetWorldDef(&world, &def));
@@ -1443,9 +1379,8 @@ static void all_settings_can_be_changed(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void every_combination_of_rows_runs_a_pile(void **unused)
+TEST(every_combination_of_rows_runs_a_pile)
 {
-    (void)unused;
     for (int i = 0; i < wfIntegratorCount; i++)
         for (int b = 0; b < wfBroadPhaseCount; b++)
             for (int s = 0; s < wfSolverCount; s++) {
@@ -1466,9 +1401,8 @@ static void every_combination_of_rows_runs_a_pile(void **unused)
             }
 }
 
-static void broad_phases_agree_through_the_pipeline(void **unused)
+TEST(broad_phases_agree_through_the_pipeline)
 {
-    (void)unused;
     uint64_t want = 0;
     for (int b = 0; b < wfBroadPhaseCount; b++) {
         wfWorld world = pile(20);
@@ -1480,16 +1414,14 @@ static void broad_phases_agree_through_the_pipeline(void **unused)
     }
 }
 
-static void an_empty_world_and_one_of_a_single_body(void **unused)
+TEST(an_empty_world_and_one_of_a_single_body)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.bodyCapacity = 1;
     def.forceCapacity = 0;
     for (int b = 0; b < wfBroadPhaseCount; b++) {
-        wfWorld world;
         def.advanced.broadPhase = b;
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         steps(&world, 3);
         assert_int_equal(wfBodyCount(&world), 0);
         wfForce pull = wfGravity(wfV2(0, 1));
@@ -1501,11 +1433,10 @@ static void an_empty_world_and_one_of_a_single_body(void **unused)
     }
 }
 
-static void energy_by_hand(void **unused)
+TEST(energy_by_hand)
 {
-    (void)unused;
     wfWorld world = make_world(4);
-    wfBodyDef d = box_def(0, 3, 0.5);                     /* 1 kg, I = 1/6 */
+    wfBodyDef d = square_def(0, 3, 0.5);                     /* 1 kg, I = 1/6 */
     d.velocity = wfV2(3, 4);
     d.angularVelocity = 6;
     d.density = 1;
@@ -1529,11 +1460,10 @@ static void energy_by_hand(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void the_body_under_the_mouse(void **unused)
+TEST(the_body_under_the_mouse)
 {
-    (void)unused;
     wfWorld world = make_world(8);
-    wfBodyDef d = box_def(0, 0, 1);
+    wfBodyDef d = square_def(0, 0, 1);
     d.angle = WF_PI / 4;                                  /* a diamond: corner at (1.41, 0) */
     wfBodyId diamond = add(&world, d), ball = add(&world, ball_def(3, 0, 1)), top = add(&world, ball_def(3, 0.5, 1)), got;
     wfBodyDef particle = wfDefaultBodyDef();
@@ -1553,9 +1483,8 @@ static void the_body_under_the_mouse(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void proxies_for_drawing(void **unused)
+TEST(proxies_for_drawing)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     add(&world, floor_def());
     add(&world, ball_def(2, 3, 0.5));
@@ -1582,9 +1511,8 @@ static bool note_box(void *context, const wfIndexBox *seen)
 }
 
 /* With each broad phase the world shows boxes that cover its shapes, also after one was put elsewhere; and nothing changes. */
-static void boxes_of_the_index_in_use(void **unused)
+TEST(boxes_of_the_index_in_use)
 {
-    (void)unused;
     static _Alignas(WF_POOL_ALIGN) uint8_t bytes[1 << 20];
     static Covered seen;
     for (int row = 0; row < wfBroadPhaseCount; row++) {
@@ -1626,9 +1554,8 @@ static void boxes_of_the_index_in_use(void **unused)
     }
 }
 
-static void angles_stay_in_one_turn(void **unused)
+TEST(angles_stay_in_one_turn)
 {
-    (void)unused;
     wfWorld world = make_world(2);
     wfBodyDef d = ball_def(0, 0, 0.5);
     d.angularVelocity = 100;
@@ -1647,9 +1574,8 @@ static void angles_stay_in_one_turn(void **unused)
 /* The default solver holds forces constant over a step and takes them in its middle: position Verlet. For a spring of angular
  * frequency w its energy stays within (w h)^2 / 4 of the true one, however long it swings (here 50 turns). At its start it
  * would gain a share of w^2 h^2 in each step. */
-static void a_spring_keeps_its_energy_under_the_default_solver(void **unused)
+TEST(a_spring_keeps_its_energy_under_the_default_solver)
 {
-    (void)unused;
     wfWorld world = make_world(4);
     assert_ok(wfSetGravity(&world, wfV2(0, 0)));
     wfBodyDef d = ball_def(3, 0, 0.5);
@@ -1671,21 +1597,19 @@ static void a_spring_keeps_its_energy_under_the_default_solver(void **unused)
 }
 
 /* What could be met within the step is in its list of contacts: nothing fast passes a thin wall that stands. */
-static void nothing_passes_a_thin_wall(void **unused)
+TEST(nothing_passes_a_thin_wall)
 {
-    (void)unused;
     for (int k = 0; k < 20; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 4;
         def.iterations = 8;                               /* without joints and fast bodies one pass is too few for a box that spins */
-        wfWorld world;
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         assert_ok(wfSetGravity(&world, wfV2(0, 0)));
-        wfBodyDef wall = box_def(0, 0, 1);
+        wfBodyDef wall = square_def(0, 0, 1);
         assert_ok(wfMakeBox(WF_R(0.02), 2, &wall.shape));
         wall.type = WF_STATIC;
         add(&world, wall);
-        wfBodyDef bullet = k % 2 ? ball_def(-7 - 0.13 * k, 0.3, 0.05) : box_def(-7 - 0.13 * k, 0.3, 0.05);
+        wfBodyDef bullet = k % 2 ? ball_def(-7 - 0.13 * k, 0.3, 0.05) : square_def(-7 - 0.13 * k, 0.3, 0.05);
         bullet.velocity = wfV2((wfReal)(k < 10 ? 300 : 10000), 0);
         bullet.angularVelocity = (wfReal)k;
         bullet.friction = 0;
@@ -1698,15 +1622,13 @@ static void nothing_passes_a_thin_wall(void **unused)
 
 /* The same as in test_soft, as users have it: default settings, and several columns that meet. Energy may rise by what a body is lifted when
    it is pushed out of others, the tolerated overlap, and by a rounding of the sum. */
-static void columns_that_fall_gain_no_energy(void **state)
+TEST(columns_that_fall_gain_no_energy)
 {
-    (void)state;
     for (int32_t wide = 1; wide <= 3; wide++)
         for (int32_t high = 10; high <= 40; high += 15) {
             wfWorldDef wd = wfDefaultWorldDef();
-            wfWorld w;
             wd.bodyCapacity = 1 + wide * high;
-            assert_ok(wfCreateWorld(&wd, &w));
+            wfWorld w = world_with(&wd);
             wfBodyDef d = wfDefaultBodyDef();
             d.type = WF_STATIC, d.position = wfV2(0, -1);
             assert_ok(wfMakeBox(100, 1, &d.shape));
@@ -1730,9 +1652,8 @@ static void columns_that_fall_gain_no_energy(void **state)
         }
 }
 
-static void the_page_of_stages(void **unused)
+TEST(the_page_of_stages)
 {
-    (void)unused;
     const char *order[] = { "copy", "forces", "integrate", "broad phase", "narrow phase", "velocities", "positions", "commit" };
     int at = -1;
     for (int k = 0; k < 8; k++) {
@@ -1748,14 +1669,12 @@ static void the_page_of_stages(void **unused)
     }
 }
 
-static void what_is_held_by_a_third_is_met_in_the_first_step(void **unused)
+TEST(what_is_held_by_a_third_is_met_in_the_first_step)
 {
-    (void)unused;
     /* Two blocks at rest, a hair's gap between them: the table holds the lower one, so the upper one may not fall freely for a
      * step (h g = 0.16 m/s). It may come down by the gap; both are at rest at the end but for what the passes leave, h g / 100. */
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     add(&world, floor_def());
     wfBodyId id[2];
     for (int i = 0; i < 2; i++) {
@@ -1773,18 +1692,16 @@ static void what_is_held_by_a_third_is_met_in_the_first_step(void **unused)
 }
 
 /* One box on a floor: "exact" has a problem in every substep and solves all of them; other solvers report nothing. */
-static void the_solver_reports(void **unused)
+TEST(the_solver_reports)
 {
-    (void)unused;
     const char *const solvers[] = { "exact", "soft" };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         wfSolveReport r;
         def.solver = wfFindSolver(solvers[k]);
-        wfWorld world;
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         add(&world, floor_def());
-        add(&world, box_def(0, 0.5, 0.5));
+        add(&world, square_def(0, 0.5, 0.5));
         memset(&r, 0xEE, sizeof r);
         assert_ok(wfStepWorld(&world));
         assert_ok(wfGetSolveReport(&world, &r));
@@ -1795,39 +1712,4 @@ static void the_solver_reports(void **unused)
         assert_int_equal(wfGetSolveReport(NULL, &r), WF_ERROR_NULL);
         wfDestroyWorld(&world);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_solver_reports), cmocka_unit_test(free_flight_is_the_parabola), cmocka_unit_test(gravity_scale_and_kinds_of_body),
-        cmocka_unit_test(damping_does_not_depend_on_the_step), cmocka_unit_test(damping_and_material_can_be_changed),
-        cmocka_unit_test(a_heavy_body_that_cannot_turn_still_collides), cmocka_unit_test(pushes_act_for_one_step),
-        cmocka_unit_test(position_is_that_of_the_origin), cmocka_unit_test(mass_comes_from_density_or_as_given),
-        cmocka_unit_test(ball_bounces_to_e_squared_h), cmocka_unit_test(two_balls_trade_velocities),
-        cmocka_unit_test(a_gas_keeps_momentum_and_energy), cmocka_unit_test(a_box_comes_to_rest),
-        cmocka_unit_test(pairs_that_need_no_test_get_none), cmocka_unit_test(ids_name_one_body_for_ever),
-        cmocka_unit_test(stale_ids_are_refused_everywhere), cmocka_unit_test(removal_takes_forces_and_contacts_along),
-        cmocka_unit_test(a_world_with_holes_equals_one_without), cmocka_unit_test(a_world_moves_house_every_step),
-        cmocka_unit_test(a_snapshot_goes_back_in_time), cmocka_unit_test(equal_worlds_have_equal_hashes_and_others_do_not),
-        cmocka_unit_test(the_layout_is_what_was_asked_for), cmocka_unit_test(capacities_left_open_are_chosen), cmocka_unit_test(memory_may_be_handed_over),
-        cmocka_unit_test(equal_worlds_are_equal_byte_for_byte), cmocka_unit_test(handles_of_nothing_are_refused), cmocka_unit_test(too_many_pairs_leave_the_world_as_it_was),
-        cmocka_unit_test(overflow_is_an_error_and_spreads_to_no_one), cmocka_unit_test(bad_world_definitions_are_refused),
-        cmocka_unit_test(bad_body_definitions_are_refused), cmocka_unit_test(bad_numbers_reach_no_body),
-        cmocka_unit_test(forces_are_registered_and_checked), cmocka_unit_test(a_hand_checks_its_numbers),
- cmocka_unit_test(a_hand_carries_a_body), cmocka_unit_test(a_spring_keeps_its_energy_under_the_default_solver),
-        cmocka_unit_test(nothing_passes_a_thin_wall),
-        cmocka_unit_test(a_hand_is_as_stiff_as_the_step_allows), cmocka_unit_test(settings_are_kept), cmocka_unit_test(all_settings_can_be_changed), cmocka_unit_test(every_combination_of_rows_runs_a_pile),
-        cmocka_unit_test(broad_phases_agree_through_the_pipeline), cmocka_unit_test(energy_by_hand),
-        cmocka_unit_test(an_empty_world_and_one_of_a_single_body),
-        cmocka_unit_test(bodies_and_forces_of_no_world_are_refused), cmocka_unit_test(handles_askew_are_refused),
-        cmocka_unit_test(ids_of_neighbours_and_of_no_one), cmocka_unit_test(the_hash_is_of_states_and_names_alone),
-        cmocka_unit_test(a_body_replaced_by_its_equal_changes_the_hash), cmocka_unit_test(sums_are_added_in_double),
-        cmocka_unit_test(the_body_under_the_mouse), cmocka_unit_test(proxies_for_drawing), cmocka_unit_test(boxes_of_the_index_in_use),
-        cmocka_unit_test(angles_stay_in_one_turn), cmocka_unit_test(the_page_of_stages), cmocka_unit_test(columns_that_fall_gain_no_energy),
-        cmocka_unit_test(what_is_held_by_a_third_is_met_in_the_first_step),
-        cmocka_unit_test(who_is_born_in_one_place_without_gravity_parts_in_peace),
-        cmocka_unit_test(a_door_turns_about_its_hinge),
-    };
-    return cmocka_run_group_tests_name("24 the world", tests, NULL, NULL);
 }

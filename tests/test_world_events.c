@@ -15,21 +15,6 @@ static wfWorldDef small_def(const char *solver)
     return def;
 }
 
-static wfWorld make_world(const wfWorldDef *def)
-{
-    wfWorld world = { .memory = { .owned = 0 } };
-    assert_ok(wfCreateWorld(def, &world));
-    return world;
-}
-
-static wfBodyDef box_def(double x, double y, double hw, double hh)
-{
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y);
-    assert_ok(wfMakeBox((wfReal)hw, (wfReal)hh, &def.shape));
-    return def;
-}
-
 static int32_t count_of(const wfWorld *world, int kind)
 {
     int32_t n;
@@ -66,14 +51,13 @@ static void make_sensor(wfWorld *world, wfBodyId id)
 
 /* ------------------------------------------------------------------------------ contacts that last */
 
-static void impulses_are_carried_over(void **unused)
+TEST(impulses_are_carried_over)
 {
-    (void)unused;
     const char *const solvers[] = { "sequential", "soft" };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def(solvers[k]);
         def.iterations = 1;
-        wfWorld world = make_world(&def);
+        wfWorld world = world_with(&def);
         add(&world, floor_def());
         wfBodyId id = add(&world, box_def(0, 0.5, 0.5, 0.5));
         for (int i = 0; i < 120; i++) assert_ok(wfStepWorld(&world));
@@ -162,15 +146,14 @@ static void edit(wfWorld *world, wfRandom *r, int what)
     }
 }
 
-static void whatever_is_done_nothing_is_stale(void **unused)
+TEST(whatever_is_done_nothing_is_stale)
 {
-    (void)unused;
     const char *const solvers[] = { "impulse", "sequential", "soft" };
     for (int k = 0; k < 3; k++) {
         wfWorldDef def = small_def(solvers[k]);
         def.advanced.pairCapacity = 4000;
         def.advanced.reuseManifolds = k != 0;
-        wfWorld world = make_world(&def), twin = make_world(&def);
+        wfWorld world = world_with(&def), twin = world_with(&def);
         wfWorld *worlds[2] = { &world, &twin };
         def.advanced.broadPhase = wfFindBroadPhase("brute-force");
         assert_ok(wfSetMethods(&twin, -1, wfFindBroadPhase("brute-force"), -1, -1));
@@ -203,11 +186,10 @@ static void whatever_is_done_nothing_is_stale(void **unused)
     }
 }
 
-static void teleport_filter_and_type_drop_contacts(void **unused)
+TEST(teleport_filter_and_type_drop_contacts)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     add(&world, floor_def());
     wfBodyId id = add(&world, box_def(0, 0.499, 0.5, 0.5)), other = add(&world, box_def(3, 0.499, 0.5, 0.5));
     for (int what = 0; what < 4; what++) {
@@ -232,14 +214,13 @@ static void teleport_filter_and_type_drop_contacts(void **unused)
 }
 
 /* Used again or not: a pile comes to rest in the same places, but for the stated share of the smaller reach. */
-static void reuse_changes_little(void **unused)
+TEST(reuse_changes_little)
 {
-    (void)unused;
     wfBodyInfo end[2][6];
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def("sequential");
         def.advanced.reuseManifolds = k;
-        wfWorld world = make_world(&def);
+        wfWorld world = world_with(&def);
         wfBodyId id[6];
         add(&world, floor_def());
         for (int i = 0; i < 6; i++) id[i] = add(&world, box_def(0.02 * (i % 2), 0.5 + i, 0.5, 0.5));
@@ -255,13 +236,12 @@ static void reuse_changes_little(void **unused)
 
 /* ------------------------------------------------------------------------------ events */
 
-static void a_ball_lands_stays_and_is_taken_away(void **unused)
+TEST(a_ball_lands_stays_and_is_taken_away)
 {
-    (void)unused;
     const char *const solvers[] = { "impulse", "sequential", "soft" };
     for (int k = 0; k < 3; k++) {
         wfWorldDef def = small_def(solvers[k]);
-        wfWorld world = make_world(&def);
+        wfWorld world = world_with(&def);
         wfShapeId ground = shape_of(&world, add(&world, floor_def()));
         wfBodyId id = add(&world, ball_def(0, 1.5, 0.5));
         wfShapeId ball = shape_of(&world, id);
@@ -301,11 +281,10 @@ static void a_ball_lands_stays_and_is_taken_away(void **unused)
     }
 }
 
-static void a_new_tenant_is_another_touch(void **unused)
+TEST(a_new_tenant_is_another_touch)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     add(&world, floor_def());
     wfBodyDef d = box_def(0, 0.499, 0.5, 0.5);
     wfBodyId id = add(&world, d);
@@ -325,11 +304,10 @@ static void a_new_tenant_is_another_touch(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void how_hard_they_press(void **unused)
+TEST(how_hard_they_press)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     add(&world, floor_def());
     wfBodyDef d = box_def(0, 0.5, 0.5, 0.5);
     d.mass = 12;
@@ -342,13 +320,12 @@ static void how_hard_they_press(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void the_threshold_of_hits_can_be_set(void **unused)
+TEST(the_threshold_of_hits_can_be_set)
 {
-    (void)unused;
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def("sequential");
         def.advanced.hitThreshold = k == 0 ? 20 : 30;              /* of 9.81/60 m/s: 3.27 and 4.9; the ball arrives with 4.43 */
-        wfWorld world = make_world(&def);
+        wfWorld world = world_with(&def);
         add(&world, floor_def());
         add(&world, ball_def(0, 1.5, 0.5));
         int32_t n, hits = 0;
@@ -362,16 +339,15 @@ static void the_threshold_of_hits_can_be_set(void **unused)
     }
 }
 
-static void events_can_be_left_out(void **unused)
+TEST(events_can_be_left_out)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
     size_t with[2], without[2];
     assert_ok(wfWorldSize(&def, &with[0], &with[1]));
     def.events = 0;
     assert_ok(wfWorldSize(&def, &without[0], &without[1]));
     assert_true(without[0] < with[0] && without[1] < with[1]);
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     add(&world, floor_def());
     add(&world, ball_def(0, 0.5, 0.5));
     for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&world));
@@ -387,12 +363,11 @@ static void events_can_be_left_out(void **unused)
     assert_int_equal(n, 0);
 }
 
-static void a_failed_step_keeps_the_events(void **unused)
+TEST(a_failed_step_keeps_the_events)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
     def.advanced.contactCapacity = 3;
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     add(&world, floor_def());
     for (int i = 0; i < 3; i++) add(&world, ball_def(2 * i, 0.499, 0.5));
     assert_ok(wfStepWorld(&world));
@@ -410,13 +385,12 @@ static void a_failed_step_keeps_the_events(void **unused)
 
 /* ------------------------------------------------------------------------------ sensors and filters */
 
-static void a_sensor_notices_and_does_nothing(void **unused)
+TEST(a_sensor_notices_and_does_nothing)
 {
-    (void)unused;
     const char *const solvers[] = { "impulse", "soft" };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def(solvers[k]);
-        wfWorld world = make_world(&def), empty = make_world(&def);
+        wfWorld world = world_with(&def), empty = world_with(&def);
         wfBodyDef gate = box_def(0, 0, 2, 1);
         gate.type = WF_STATIC;
         wfBodyId g = add(&world, gate), ball = add(&world, ball_def(0, 5, 0.5)), twin = add(&empty, ball_def(0, 5, 0.5));
@@ -442,12 +416,11 @@ static void a_sensor_notices_and_does_nothing(void **unused)
     }
 }
 
-static void what_sensors_see(void **unused)
+TEST(what_sensors_see)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
     def.gravity = wfV2(0, 0);
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     /* At x = 0, 10, ...: a pair of types, of which the first is a sensor. Seen: everything but a static thing by a static sensor. */
     static const int types[3] = { WF_STATIC, WF_KINEMATIC, WF_DYNAMIC };
     wfBodyId sensor[9], thing[9];
@@ -473,12 +446,11 @@ static void what_sensors_see(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void a_sensor_rides_along_and_weighs_nothing(void **unused)
+TEST(a_sensor_rides_along_and_weighs_nothing)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
     def.gravity = wfV2(0, 0);
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     wfBodyId guard = add(&world, ball_def(0, 0, 0.5));
     wfBodyInfo before = info(&world, guard);
     wfShapeDef view = wfDefaultShapeDef();
@@ -506,11 +478,10 @@ static void a_sensor_rides_along_and_weighs_nothing(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void filters_say_who_meets(void **unused)
+TEST(filters_say_who_meets)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     wfBodyId ground = add(&world, floor_def()), a = add(&world, box_def(0, 0.5, 0.5, 0.5)), b = add(&world, box_def(3, 0.5, 0.5, 0.5)),
              c = add(&world, box_def(3, 0.6, 0.5, 0.5));
     set_filter(&world, ground, (wfFilter){ 1, UINT64_MAX, 0 });
@@ -545,13 +516,12 @@ static void ask_contact(void *context, const wfCallbackView *view, const wfConta
     if (asked->change.enabled >= 0) *change = asked->change;
 }
 
-static void hooks_decide(void **unused)
+TEST(hooks_decide)
 {
-    (void)unused;
     const char *const solvers[] = { "sequential", "soft" };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def(solvers[k]);
-        wfWorld world = make_world(&def);
+        wfWorld world = world_with(&def);
         add(&world, floor_def());
         wfBodyDef d = box_def(0, 0.499, 0.5, 0.5);
         wfBodyId id = add(&world, d);
@@ -585,11 +555,10 @@ static void hooks_decide(void **unused)
     }
 }
 
-static void bad_answers_of_hooks_change_nothing(void **unused)
+TEST(bad_answers_of_hooks_change_nothing)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
-    wfWorld world = make_world(&def);
+    wfWorld world = world_with(&def);
     add(&world, floor_def());
     add(&world, box_def(0, 0.499, 0.5, 0.5));
     assert_ok(wfStepWorld(&world));
@@ -637,11 +606,10 @@ static void meddle(void *context, const wfCallbackView *view, const wfContact *c
     for (size_t i = 0; i < sizeof r / sizeof *r; i++) asked->got[i] = r[i];
 }
 
-static void hooks_cannot_change_the_world(void **unused)
+TEST(hooks_cannot_change_the_world)
 {
-    (void)unused;
     wfWorldDef def = small_def("sequential");
-    wfWorld world = make_world(&def), twin = make_world(&def);
+    wfWorld world = world_with(&def), twin = world_with(&def);
     add(&world, floor_def());
     add(&twin, floor_def());
     Asked asked = { .world = &world, .id = add(&world, box_def(0, 0.499, 0.5, 0.5)) };
@@ -672,14 +640,13 @@ static void one_way(void *context, const wfCallbackView *v, const wfContact *c, 
     change->enabled = up > WF_R(0.7) && (carried > 0 || depth <= c->slop + v->timeStep * speed);
 }
 
-static void a_one_way_platform(void **unused)
+TEST(a_one_way_platform)
 {
-    (void)unused;
     const char *const solvers[] = { "sequential", "soft" };
     for (int k = 0; k < 2; k++)
         for (int speed = 4; speed <= 9; speed++) {        /* up by v^2 / 2g: 0.8 to 4.1 m; the platform's top is at 2 */
             wfWorldDef def = small_def(solvers[k]);
-            wfWorld world = make_world(&def);
+            wfWorld world = world_with(&def);
             wfBodyDef d = box_def(0, 1.75, 3, 0.25);
             d.type = WF_STATIC;
             wfBodyId platform = add(&world, d), id = add(&world, ball_def(0, 0.5, 0.25));
@@ -701,14 +668,13 @@ static void a_one_way_platform(void **unused)
         }
 }
 
-static void a_conveyor_carries(void **unused)
+TEST(a_conveyor_carries)
 {
-    (void)unused;
     const char *const solvers[] = { "impulse-friction", "sequential", "soft" };
     for (int k = 0; k < 3; k++)
         for (int sign = -1; sign <= 1; sign += 2) {
             wfWorldDef def = small_def(solvers[k]);
-            wfWorld world = make_world(&def);
+            wfWorld world = world_with(&def);
             wfBodyId belt = add(&world, floor_def()), id = add(&world, box_def(0, 0.5, 0.5, 0.25));
             wfShapeDef s;
             assert_ok(wfGetShape(&world, shape_of(&world, belt), &s));
@@ -723,14 +689,13 @@ static void a_conveyor_carries(void **unused)
 
 /* ------------------------------------------------------------------------------ bytes */
 
-static void a_world_moves_house_with_its_memory(void **unused)
+TEST(a_world_moves_house_with_its_memory)
 {
-    (void)unused;
     const char *const solvers[] = { "sequential", "soft" };
     for (int k = 0; k < 2; k++) {
         wfWorldDef def = small_def(solvers[k]);
         def.advanced.reuseManifolds = 1;
-        wfWorld world = make_world(&def), twin = make_world(&def);
+        wfWorld world = world_with(&def), twin = world_with(&def);
         wfWorld *worlds[2] = { &world, &twin };
         for (int w = 0; w < 2; w++) {
             add(worlds[w], floor_def());
@@ -758,31 +723,4 @@ static void a_world_moves_house_with_its_memory(void **unused)
         wfDestroyWorld(&world);
         wfDestroyWorld(&twin);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(impulses_are_carried_over),
-        cmocka_unit_test(whatever_is_done_nothing_is_stale),
-        cmocka_unit_test(teleport_filter_and_type_drop_contacts),
-        cmocka_unit_test(reuse_changes_little),
-        cmocka_unit_test(a_ball_lands_stays_and_is_taken_away),
-        cmocka_unit_test(a_new_tenant_is_another_touch),
-        cmocka_unit_test(how_hard_they_press),
-        cmocka_unit_test(the_threshold_of_hits_can_be_set),
-        cmocka_unit_test(events_can_be_left_out),
-        cmocka_unit_test(a_failed_step_keeps_the_events),
-        cmocka_unit_test(a_sensor_notices_and_does_nothing),
-        cmocka_unit_test(what_sensors_see),
-        cmocka_unit_test(a_sensor_rides_along_and_weighs_nothing),
-        cmocka_unit_test(filters_say_who_meets),
-        cmocka_unit_test(hooks_decide),
-        cmocka_unit_test(bad_answers_of_hooks_change_nothing),
-        cmocka_unit_test(hooks_cannot_change_the_world),
-        cmocka_unit_test(a_one_way_platform),
-        cmocka_unit_test(a_conveyor_carries),
-        cmocka_unit_test(a_world_moves_house_with_its_memory),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

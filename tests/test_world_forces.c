@@ -57,9 +57,8 @@ static void flies_and_is_braked(double rate, int integrator, int kind, double c,
     wfDestroyWorld(&w);
 }
 
-static void drag_never_adds_energy(void **state)
+TEST(drag_never_adds_energy)
 {
-    (void)state;
     const double rates[] = { 30, 60, 240 };
     for (int r = 0; r < 3; r++)
         for (int kind = 0; kind < DRAGS; kind++)
@@ -68,17 +67,15 @@ static void drag_never_adds_energy(void **state)
                     flies_and_is_braked(rates[r], -1, kind, c, radius, kind % 2);
 }
 
-static void nor_with_any_integrator(void **state)
+TEST(nor_with_any_integrator)
 {
-    (void)state;
     for (int i = 0; i < wfIntegratorCount; i++)
         for (int kind = 0; kind < DRAGS; kind++)
             for (double c = 1e-3; c < 2e6; c *= 1000) flies_and_is_braked(60, i, kind, c, 0.5, false);
 }
 
-static void no_body_is_faster_than_the_wind(void **state)
+TEST(no_body_is_faster_than_the_wind)
 {
-    (void)state;
     for (double c = 1e-3; c < 2e6; c *= 10) {
         wfWorld w = world_of(60, 0, -1);
         wfBodyId b = add(&w, ball_def(0, 0, 0.5));
@@ -93,9 +90,8 @@ static void no_body_is_faster_than_the_wind(void **state)
 }
 
 /* Balance is kept: m g = c1 v, and m g = c2 v^2. */
-static void what_falls_comes_to_its_terminal_speed(void **state)
+TEST(what_falls_comes_to_its_terminal_speed)
 {
-    (void)state;
     for (double c = 1; c < 2e6; c *= 10)
         for (int quadratic = 0; quadratic < 2; quadratic++) {
             wfWorld w = world_of(60, -10, -1);
@@ -108,9 +104,8 @@ static void what_falls_comes_to_its_terminal_speed(void **state)
         }
 }
 
-static void buoyancy_is_stable_at_any_density(void **state)
+TEST(buoyancy_is_stable_at_any_density)
 {
-    (void)state;
     const double rates[] = { 30, 60, 240 };
     for (int r = 0; r < 3; r++)
         for (double density = 1e-4; density < 1; density *= 9)
@@ -139,16 +134,4 @@ static void buoyancy_is_stable_at_any_density(void **state)
                     assert_true(good);
                     wfDestroyWorld(&w);
                 }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(drag_never_adds_energy),
-        cmocka_unit_test(nor_with_any_integrator),
-        cmocka_unit_test(no_body_is_faster_than_the_wind),
-        cmocka_unit_test(what_falls_comes_to_its_terminal_speed),
-        cmocka_unit_test(buoyancy_is_stable_at_any_density),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,30 +7,26 @@
 static wfWorld open_with(double rate, double sag)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld w;
     def.timeStep = 1 / (wfReal)rate, def.gravity = wfV2(0, -10);
     const wfSetting *sleep = wfFindSetting("sleep");      /* it comes with a later chapter; nobody sleeps here */
     if (sleep != NULL) assert_ok(wfPutSetting(&def, sleep, 0, 0));
     if (sag >= 0) def.advanced.stackSag = (wfReal)sag;
-    assert_ok(wfCreateWorld(&def, &w));
-    return w;
+    return world_with(&def);
 }
 
 static wfWorld open_world(double rate) { return open_with(rate, -1); }
 
-static wfBodyDef box_def(double x, double y, double hx, double hy)
+static wfBodyDef rough_box(double x, double y, double hx, double hy)
 {
-    wfBodyDef def = wfDefaultBodyDef();
-    def.position = wfV2((wfReal)x, (wfReal)y), def.friction = WF_R(0.6);
-    assert_ok(wfMakeBox((wfReal)hx, (wfReal)hy, &def.shape));
+    wfBodyDef def = box_def(x, y, hx, hy);
+    def.friction = WF_R(0.6);
     return def;
 }
 
 /* Boxes above each other, with gaps, fall on each other without bounces. It is the mirror image of itself, so each stays in its column, and lies as
  * deep in the one below as its spring may give (eq:soft-worth), or, solved at once, as the slop allows. Before, the impulse of a landing was the guess for what bears it afterwards: at 240 Hz five boxes that fell 2 m each were off by 6.6 m. */
-static void boxes_that_fall_on_boxes_stay(void **state)
+TEST(boxes_that_fall_on_boxes_stay)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 240);
     const double rates[] = { 30, 60, 120, 240, 480 };
@@ -43,7 +39,7 @@ static void boxes_that_fall_on_boxes_stay(void **state)
         wfWorld w = open_with(rate, give);
         add(&w, floor_def());
         for (int i = 0; i < n; i++) {
-            wfBodyDef d = box_def(x, half + 2 * half * i + gap * (i + 1), half, half);
+            wfBodyDef d = rough_box(x, half + 2 * half * i + gap * (i + 1), half, half);
             d.density = wfRandomReal(&r, WF_R(0.5), 2);
             id[i] = add(&w, d);
         }
@@ -59,16 +55,15 @@ static void boxes_that_fall_on_boxes_stay(void **state)
 }
 
 /* A plank on two posts, and on its middle falls what is up to 2,500 times as heavy: the plank is not left in the posts. */
-static void planks_that_are_hit_lie_on_their_posts(void **state)
+TEST(planks_that_are_hit_lie_on_their_posts)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 1000);
     const double rates[] = { 60, 120, 240 };
     for (int run = 0; run < 18; run++) {
         double rate = rates[run % 3], heavy = pow(10, 1 + (double)wfRandomReal(&r, 0, 3)), drop = (double)wfRandomReal(&r, WF_R(0.1), WF_R(2.3));
         wfWorld w = open_world(rate);
-        wfBodyDef post = box_def(-3, 1, 0.5, 1), plank = box_def(0, 2.1, 4, 0.1), load = box_def(0, 2.7 + drop, 0.5, 0.5);
+        wfBodyDef post = rough_box(-3, 1, 0.5, 1), plank = rough_box(0, 2.1, 4, 0.1), load = rough_box(0, 2.7 + drop, 0.5, 0.5);
         post.type = WF_STATIC;
         add(&w, post);
         post.position.x = 3;
@@ -85,9 +80,8 @@ static void planks_that_are_hit_lie_on_their_posts(void **state)
 
 /* A landing gives no energy: kinetic and potential energy of boxes that fall without bounces only become less, but for the overlaps that they leave by
  * moving, which lift what lies above by no more than all of them together; springs also give back what pressed them within the step. */
-static void landings_give_no_energy(void **state)
+TEST(landings_give_no_energy)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 480);
     for (int run = 0; run < 48; run++) {
@@ -98,7 +92,7 @@ static void landings_give_no_energy(void **state)
         wfWorld w = open_with(rate, springs ? -1 : 0);
         add(&w, floor_def());
         for (int i = 0; i < BOXES; i++) {
-            wfBodyDef d = box_def((double)wfRandomReal(&r, -1, 1), 1 + 1.3 * i, (double)wfRandomReal(&r, WF_R(0.2), WF_R(0.45)), 0.3);
+            wfBodyDef d = rough_box((double)wfRandomReal(&r, -1, 1), 1 + 1.3 * i, (double)wfRandomReal(&r, WF_R(0.2), WF_R(0.45)), 0.3);
             d.angle = run % 2 ? wfRandomReal(&r, -1, 1) : 0;
             id[i] = add(&w, d);
             weight += 10 * (double)info(&w, id[i]).mass;
@@ -127,9 +121,8 @@ static void landings_give_no_energy(void **state)
 
 /* 63 discs in a bin, and on them a box that is up to a thousand times as dense: none is pressed through the floor or a wall. (They do overlap.) Before,
  * the floor gave way in proportion to the load. */
-static void bins_hold_under_a_load(void **state)
+TEST(bins_hold_under_a_load)
 {
-    (void)state;
     wfRandom r;
     wfRandomSeed(&r, 63);
     for (int run = 0; run < 10; run++) {
@@ -137,7 +130,7 @@ static void bins_hold_under_a_load(void **state)
         double size = (double)wfRandomReal(&r, WF_R(0.24), WF_R(0.26)), rho = pow(10, 2 + run / 9.0);
         wfBodyId id[MOST];
         wfWorld w = open_world(60);
-        wfBodyDef wall = box_def(-3.5, 5, 0.5, 6), load = box_def((double)wfRandomReal(&r, WF_R(-0.1), WF_R(0.1)), 4.5, 2.8, 0.5);
+        wfBodyDef wall = rough_box(-3.5, 5, 0.5, 6), load = rough_box((double)wfRandomReal(&r, WF_R(-0.1), WF_R(0.1)), 4.5, 2.8, 0.5);
         wall.type = WF_STATIC;
         add(&w, wall);
         wall.position.x = WF_R(3.5);
@@ -160,15 +153,4 @@ static void bins_hold_under_a_load(void **state)
         }
         wfDestroyWorld(&w);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(boxes_that_fall_on_boxes_stay),
-        cmocka_unit_test(planks_that_are_hit_lie_on_their_posts),
-        cmocka_unit_test(landings_give_no_energy),
-        cmocka_unit_test(bins_hold_under_a_load),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -11,9 +11,7 @@ static wfWorld tilted(const char *solver, double angle)
     wfWorldDef def = wfDefaultWorldDef();
     def.solver = wfFindSolver(solver);
     def.gravity = wfV2((wfReal)(G * sin(angle)), (wfReal)(-G * cos(angle)));
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
-    return world;
+    return world_with(&def);
 }
 
 static wfBodyId lay(wfWorld *world, double y, double halfWidth, double halfHeight, int type, wfShapeDef what)
@@ -40,9 +38,8 @@ static void run(wfWorld *world, int steps) { for (int i = 0; i < steps; i++) ass
 static double along(wfWorld *world, wfBodyId id) { return (double)info(world, id).position.x; }
 static double speed(wfWorld *world, wfBodyId id) { return (double)info(world, id).velocity.x; }
 
-static void the_coefficient_by_hand(void **unused)
+TEST(the_coefficient_by_hand)
 {
-    (void)unused;
     static const struct { double slides, holds, wanted, normal, want; } c[] = { { 0.25, 0.5, 1, 2, 0.5 }, { 0.25, 0.5, -1, 2, 0.5 },
         { 0.25, 0.5, 1.001, 2, 0.25 }, { 0.25, 0.5, -1.001, 2, 0.25 }, { 0.5, 0.25, 0, 1, 0.5 }, { 0.5, 0.5, 9, 1, 0.5 }, { 0.5, 1, 0, 0, 1 },
         { 0.5, 0, 1, 1, 0.5 } };
@@ -52,9 +49,8 @@ static void the_coefficient_by_hand(void **unused)
 
 /* It holds up to arctan mu_s, and beyond it goes with g (sin - mu cos): eq:friction-slip, eq:friction-breakaway. A box of 2 by 1 does
  * not tip before tan = 2. The sequential solver creeps by half a step of gravity (eq:friction-creep); the soft one not at all. */
-static void it_slips_at_the_static_angle_and_slides_on_with_the_dynamic_one(void **unused)
+TEST(it_slips_at_the_static_angle_and_slides_on_with_the_dynamic_one)
 {
-    (void)unused;
     const char *const solvers[] = { "soft", "sequential", "exact" };
     for (int k = 0; k < 3; k++)
         for (int i = 0; i < 4; i++) {
@@ -79,9 +75,8 @@ static void it_slips_at_the_static_angle_and_slides_on_with_the_dynamic_one(void
 
 /* Between the two angles both are possible: what lies lies, what slides goes on. A contact that held is found to slide only after a
  * half substep with the static limit, eq:sequential-slides: (mu_s - mu) g cos dt / 2 of speed, and as much again for the solver. */
-static void between_the_two_angles_it_depends_on_how_it_began(void **unused)
+TEST(between_the_two_angles_it_depends_on_how_it_began)
 {
-    (void)unused;
     for (int push = 0; push < 2; push++) {
         double angle = atan(0.5), a = G * (sin(angle) - 0.4 * cos(angle));
         wfWorld world = tilted("soft", angle);
@@ -97,9 +92,8 @@ static void between_the_two_angles_it_depends_on_how_it_began(void **unused)
 
 /* A box put down cold, or dropped by a millimetre, on a slope below mu_s: both a box that lies and one that slides are possible there (above
  * mu), and it must come to lie. The drop's way down the slope is its height times tan, and as much again for the substep it lands in. */
-static void a_cold_box_holds_up_to_the_static_angle(void **unused)
+TEST(a_cold_box_holds_up_to_the_static_angle)
 {
-    (void)unused;
     const double share[] = { 0.7, 0.9, 0.95, 0.99 }, drop[] = { 0, 0.001 };
     for (int i = 0; i < 8; i++)
         for (int substeps = 1; substeps <= 16; substeps *= 4) {
@@ -108,8 +102,7 @@ static void a_cold_box_holds_up_to_the_static_angle(void **unused)
             def.solver = wfFindSolver("exact");
             def.substeps = substeps;
             def.gravity = wfV2((wfReal)(G * sin(angle)), (wfReal)(-G * cos(angle)));
-            wfWorld world;
-            assert_ok(wfCreateWorld(&def, &world));
+            wfWorld world = world_with(&def);
             lay(&world, -1, 500, 1, WF_STATIC, rough(0.4, 0.6));
             wfBodyId id = lay(&world, 0.5 + drop[i % 2], 1, 0.5, WF_DYNAMIC, rough(0.4, 0.6));
             run(&world, 120);
@@ -123,13 +116,12 @@ static void a_cold_box_holds_up_to_the_static_angle(void **unused)
 static double pyramid_goes(double angle, double slides, double holds, int rows, int columns, int substeps)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld world;
     wfBodyId id[15];
     int n = 0;
     double way = 0;
     def.substeps = substeps, def.advanced.stackSolver = columns;
     def.gravity = wfV2((wfReal)(G * sin(angle)), (wfReal)(-G * cos(angle)));
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     lay(&world, -1, 500, 1, WF_STATIC, rough(slides, holds));
     for (int r = 0; r < rows; r++)
         for (int i = 0; i < rows - r; i++, n++) {
@@ -143,9 +135,8 @@ static double pyramid_goes(double angle, double slides, double holds, int rows, 
     return way;
 }
 
-static void a_cold_pyramid_holds_up_to_the_static_angle(void **unused)
+TEST(a_cold_pyramid_holds_up_to_the_static_angle)
 {
-    (void)unused;
     const double share[] = { 0.7, 0.9, 0.97 };
     for (int rows = 3; rows <= 5; rows += 2)
         for (int substeps = 1; substeps <= 4; substeps *= 4)
@@ -160,9 +151,8 @@ static void a_cold_pyramid_holds_up_to_the_static_angle(void **unused)
 }
 
 /* It stops after v^2 / 2 mu g; half a substep with the static limit costs (mu_s - mu) g dt / 2 of speed, and so the way v / mu g of that. */
-static void it_stops_as_the_dynamic_one_says(void **unused)
+TEST(it_stops_as_the_dynamic_one_says)
 {
-    (void)unused;
     wfWorld world = tilted("soft", 0);
     lay(&world, -1, 500, 1, WF_STATIC, rough(0.4, 0.6));
     wfBodyId id = lay(&world, 0.5, 1, 0.5, WF_DYNAMIC, rough(0.4, 0.6));
@@ -176,9 +166,8 @@ static void it_stops_as_the_dynamic_one_says(void **unused)
 }
 
 /* The string and the bow: places and tone by eq:friction-violin. Time is known to a step, places to V h. */
-static void a_bow_makes_a_tone(void **unused)
+TEST(a_bow_makes_a_tone)
 {
-    (void)unused;
     const double k = 20, belt = 0.1, slides = 0.4, holds = 0.6, omega = sqrt(k), d = (holds - slides) * G / k;
     const double tone = 2 * d / belt + (3.14159265358979 + 2 * atan(belt / (omega * d))) / omega;
     wfWorld world = tilted("soft", 0);
@@ -211,9 +200,8 @@ static void a_bow_makes_a_tone(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void mixing_by_hand(void **unused)
+TEST(mixing_by_hand)
 {
-    (void)unused;
     static const struct { const char *name; double a, b, want; } c[] = { { "geometric-mean", 0.25, 1, 0.5 }, { "geometric-mean", 0, 5, 0 },
         { "minimum", 0.25, 1, 0.25 }, { "maximum", 0.25, 1, 1 }, { "average", 0.25, 1, 0.625 }, { "product", 0.25, 0.5, 0.125 } };
     for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
@@ -252,9 +240,8 @@ static wfWorld pair_of(const wfWorldDef *def, int32_t a, int32_t b)
     return world;
 }
 
-static void a_world_mixes_by_its_rules(void **unused)
+TEST(a_world_mixes_by_its_rules)
 {
-    (void)unused;
     static const struct { const char *name; double friction, holds, bounce, rollingResistance; } c[] = {
         { "geometric-mean", 0.5, 0.70710678, 0.4330127, 0.25 }, { "minimum", 0.25, 0.5, 0.25, 0.125 }, { "maximum", 1, 1, 0.75, 0.5 },
         { "average", 0.625, 0.75, 0.5, 0.3125 }, { "product", 0.25, 0.5, 0.1875, 0.0625 } };
@@ -293,9 +280,8 @@ static void a_world_mixes_by_its_rules(void **unused)
     assert_result(WF_ERROR_RANGE, wfCreateWorld(&bad, &none));
 }
 
-static void who_knows_the_pair_need_not_mix(void **unused)
+TEST(who_knows_the_pair_need_not_mix)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     def.advanced.materialPairCapacity = 3;
     wfWorld world = pair_of(&def, 7, 3);
@@ -347,15 +333,13 @@ static void who_knows_the_pair_need_not_mix(void **unused)
 }
 
 /* Many pairs, in any order: the list is a map, like one that is searched from end to end. */
-static void the_list_of_pairs_is_a_map(void **unused)
+TEST(the_list_of_pairs_is_a_map)
 {
-    (void)unused;
     enum { N = 6 };
     wfRandom r = random_stream(3);
     wfWorldDef def = wfDefaultWorldDef();
     def.advanced.materialPairCapacity = N * (N + 1) / 2;
-    wfWorld world;
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     wfReal known[N + 1][N + 1];
     memset(known, 0, sizeof known);
     for (int i = 0; i < 2000; i++) {
@@ -371,9 +355,8 @@ static void the_list_of_pairs_is_a_map(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void shapes_refuse_bad_materials(void **unused)
+TEST(shapes_refuse_bad_materials)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world = pair_of(&def, 0, 0);
     wfShapeId id = wfShapeAt(&world, 1);
@@ -410,9 +393,8 @@ static void change_contact(void *context, const wfCallbackView *view, const wfCo
 }
 
 /* A hook sees what would be used, and what it says is used: ice becomes rubber for one contact, in each of the five numbers. */
-static void a_hook_overrides_one_contact(void **unused)
+TEST(a_hook_overrides_one_contact)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world = pair_of(&def, 0, 0);
     Change k = { .to = { .enabled = 1, .friction = WF_R(0.125), .staticFriction = 4, .rollingResistance = 2, .tangentSpeed = 0 } };
@@ -447,9 +429,8 @@ static void a_hook_overrides_one_contact(void **unused)
 }
 
 /* A wheel on a slope of one in ten: rolling resistance from the hook holds it (tan < rho / r), and lets it go when the hook says 0. */
-static void a_hook_sets_rolling_resistance(void **unused)
+TEST(a_hook_sets_rolling_resistance)
 {
-    (void)unused;
     wfWorld world = tilted("soft", atan(0.1));
     wfShapeDef wheel = wfDefaultShapeDef();
     assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.5), &wheel.shape));
@@ -468,15 +449,13 @@ static void a_hook_sets_rolling_resistance(void **unused)
 /* eq:soft-moment: sixty boxes of a metre in nearly one place, 2 m above the ground. The highest potential energy there is lets one of
  * them have sqrt(2 g 2.5 m) = 7 m/s; the rest is room for boxes that are pushed from below, and the bound is that of two hundred boxes
  * without restitution (10 m/s, table of the classics). When impacts of long ago were reflected they had 20 to 60 m/s. */
-static void a_little_bounce_does_not_burst_what_overlaps(void **state)
+TEST(a_little_bounce_does_not_burst_what_overlaps)
 {
-    (void)state;
     for (int k = 1; k <= 5; k++) {
         wfWorldDef def = wfDefaultWorldDef();
         def.bodyCapacity = 64;
         def.advanced.pairCapacity = def.advanced.contactCapacity = 4000;
-        wfWorld world;
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         wfBodyDef b = wfDefaultBodyDef();
         b.restitution = (wfReal)(0.2 * k);
         b.type = WF_STATIC;
@@ -498,18 +477,4 @@ static void a_little_bounce_does_not_burst_what_overlaps(void **state)
         assert_true(fastest < 10);
         wfDestroyWorld(&world);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_little_bounce_does_not_burst_what_overlaps), cmocka_unit_test(the_coefficient_by_hand), cmocka_unit_test(it_slips_at_the_static_angle_and_slides_on_with_the_dynamic_one),
-        cmocka_unit_test(between_the_two_angles_it_depends_on_how_it_began),
-        cmocka_unit_test(a_cold_box_holds_up_to_the_static_angle), cmocka_unit_test(a_cold_pyramid_holds_up_to_the_static_angle), cmocka_unit_test(it_stops_as_the_dynamic_one_says),
-        cmocka_unit_test(a_bow_makes_a_tone), cmocka_unit_test(mixing_by_hand), cmocka_unit_test(a_world_mixes_by_its_rules),
-        cmocka_unit_test(who_knows_the_pair_need_not_mix), cmocka_unit_test(the_list_of_pairs_is_a_map),
-        cmocka_unit_test(shapes_refuse_bad_materials), cmocka_unit_test(a_hook_overrides_one_contact),
-        cmocka_unit_test(a_hook_sets_rolling_resistance),
-    };
-    return cmocka_run_group_tests_name("24 materials", tests, NULL, NULL);
 }

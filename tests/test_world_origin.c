@@ -33,9 +33,8 @@ static void step(wfWorld *world, int n) { for (int i = 0; i < n; i++) assert_ok(
 
 static const wfGlobalPoint FAR[] = { { 1e12, -3e11 }, { 1e5, 1e5 }, { -7.25e9, 0 }, { 1e300, -1e300 }, { 0.1, 0.3 }, { -1e-300, 6e7 } };
 
-static void the_same_digits_at_home_and_far_away(void **state)
+TEST(the_same_digits_at_home_and_far_away)
 {
-    (void)state;
     wfWorld home;
     fill(&home, wfV2(0, 0));
     for (int k = 0; k < 6; k++) {
@@ -57,9 +56,8 @@ static void the_same_digits_at_home_and_far_away(void **state)
     wfDestroyWorld(&home);
 }
 
-static void places_go_in_and_out(void **state)
+TEST(places_go_in_and_out)
 {
-    (void)state;
     wfWorld world;
     fill(&world, wfV2(0, 0));
     wfGlobalPoint o, far;
@@ -90,20 +88,8 @@ static void places_go_in_and_out(void **state)
     wfDestroyWorld(&world);
 }
 
-/* Copies a world's block into lent memory: two worlds with the same past. */
-static wfWorld twin_of(const wfWorld *world)
+TEST(a_move_there_and_back_changes_no_byte)
 {
-    wfMemory m;
-    wfWorld twin;
-    assert_ok(wfAllocateMemory(&m, world->memory.permanentSize, world->memory.transientSize));
-    memcpy(m.permanent, world->memory.permanent, world->memory.permanentSize);
-    assert_ok(wfOpenWorld(&m, &twin));
-    return twin;
-}
-
-static void a_move_there_and_back_changes_no_byte(void **state)
-{
-    (void)state;
     /* All stand at 4096 and move to about 0: whoever is at p in [2048, 4096 + 2048] gets nearer to the origin, so that
      * eq:world-far-exact holds, and on the way back each lands on the number that it came from. */
     const wfVec2 o = wfV2(4096, -4096), by = wfV2(4096, -4096);
@@ -128,13 +114,11 @@ static void a_move_there_and_back_changes_no_byte(void **state)
     }
 }
 
-static void who_gets_farther_away_is_rounded_and_counted(void **state)
+TEST(who_gets_farther_away_is_rounded_and_counted)
 {
-    (void)state;
     wfWorldDef wd = wfDefaultWorldDef();
-    wfWorld world;
     int32_t rounded = -1;
-    assert_ok(wfCreateWorld(&wd, &world));
+    wfWorld world = world_with(&wd);
     wfBodyDef def = wfDefaultBodyDef();
     def.mass = 1;
     def.position = wfV2(1 + WF_EPSILON, 0);         /* its last digit is lost at 1025, where the gap is 1024 eps */
@@ -173,18 +157,16 @@ static int32_t add_forces(wfWorld *world, wfVec2 o)
     return 6;
 }
 
-static void forces_that_name_a_place_come_along(void **state)
+TEST(forces_that_name_a_place_come_along)
 {
-    (void)state;
     /* A world that is moved by 256 m and one that is not differ by the rounding of positions: half a gap at 256 m in each of
      * 120 steps, n u / 2, and what these do through the forces. All forces here are soft: over two seconds a shift of the
      * place by d changes it by no more than some d (periods of about a second, no contact). Ten times is allowed. */
     const wfVec2 by = wfV2(256, -128);
     double allowed = 10 * 120 * 256 * (double)WF_EPSILON / 2;
     wfWorldDef wd = wfDefaultWorldDef();
-    wfWorld stays;
     wd.events = 0;
-    assert_ok(wfCreateWorld(&wd, &stays));
+    wfWorld stays = world_with(&wd);
     int32_t bodies = add_forces(&stays, wfV2(0, 0));
     step(&stays, 5);
     wfWorld moves = twin_of(&stays);
@@ -206,9 +188,8 @@ static void forces_that_name_a_place_come_along(void **state)
     wfDestroyWorld(&stays);
 }
 
-static void contacts_hits_and_boxes_come_along(void **state)
+TEST(contacts_hits_and_boxes_come_along)
 {
-    (void)state;
     const wfVec2 by = wfV2(64, 32);
     wfWorld world;
     fill(&world, wfV2(0, 0));
@@ -246,12 +227,10 @@ static void contacts_hits_and_boxes_come_along(void **state)
     wfDestroyWorld(&world);
 }
 
-static void queries_find_what_has_moved(void **state)
+TEST(queries_find_what_has_moved)
 {
-    (void)state;
     wfWorldDef wd = wfDefaultWorldDef();
-    wfWorld world;
-    assert_ok(wfCreateWorld(&wd, &world));
+    wfWorld world = world_with(&wd);
     for (int i = 0; i < 200; i++) {
         wfBodyDef def = ball_def(4 * (i % 20), 4 * (i / 20), 0.5);
         def.type = i % 3 ? WF_STATIC : WF_KINEMATIC;
@@ -271,17 +250,15 @@ static void queries_find_what_has_moved(void **state)
     wfDestroyWorld(&world);
 }
 
-static void an_origin_follows_a_body(void **state)
+TEST(an_origin_follows_a_body)
 {
-    (void)state;
     wfWorldDef wd = wfDefaultWorldDef();
-    wfWorld world;
     wfGlobalPoint at, sum = { 0, 0 };
     wfVec2 by;
     int moves = 0;
     wd.gravity = wfV2(0, 0);
     wd.timeStep = 1 / WF_R(64.0);
-    assert_ok(wfCreateWorld(&wd, &world));
+    wfWorld world = world_with(&wd);
     wfBodyDef def = wfDefaultBodyDef();
     def.mass = 1;
     def.velocity = wfV2(640, -320);                 /* 10 m and 5 m in a step: exact */
@@ -315,9 +292,8 @@ static bool refuse(void *context, const wfCallbackView *view, int32_t a, int32_t
     return true;
 }
 
-static void bad_input_is_refused(void **state)
+TEST(bad_input_is_refused)
 {
-    (void)state;
     wfWorld world, none = { .memory = { 0 } };
     wfGlobalPoint far = { 0, 0 };
     wfVec2 local = wfV2(0, 0);
@@ -371,16 +347,4 @@ static void bad_input_is_refused(void **state)
     assert_result(WF_ERROR_RANGE, wfShiftOrigin(&world, wfV2(huge, 0), NULL));
     assert_unchanged(&world, before);
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_same_digits_at_home_and_far_away), cmocka_unit_test(places_go_in_and_out),
-        cmocka_unit_test(a_move_there_and_back_changes_no_byte),
-        cmocka_unit_test(who_gets_farther_away_is_rounded_and_counted),
-        cmocka_unit_test(forces_that_name_a_place_come_along), cmocka_unit_test(contacts_hits_and_boxes_come_along),
-        cmocka_unit_test(queries_find_what_has_moved), cmocka_unit_test(an_origin_follows_a_body), cmocka_unit_test(bad_input_is_refused)
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

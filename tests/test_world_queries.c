@@ -30,9 +30,8 @@ static wfRay ray(double x, double y, double dx, double dy)
     return (wfRay){ wfV2((wfReal)x, (wfReal)y), wfV2((wfReal)dx, (wfReal)dy) };
 }
 
-static void answers_by_hand(void **unused)
+TEST(answers_by_hand)
 {
-    (void)unused;
     for (int queries = 0; queries < 2; queries++) {
         wfWorld world = make_world(wfFindBroadPhase("quad-tree"), queries);
         assert_ok(wfSetGravity(&world, wfV2(0, 0)));
@@ -128,9 +127,8 @@ static uint64_t ask_all(const wfWorld *world)
 }
 
 /* Asked of every broad phase: with an index that fits, with one that is stale, made again, and without any. */
-static void never_stale(void **unused)
+TEST(never_stale)
 {
-    (void)unused;
     for (int row = 0; row < wfBroadPhaseCount; row++) {
         wfWorld one = make_world(row, 1), other = make_world(wfFindBroadPhase("brute-force"), 0);
         wfWorld *worlds[2] = { &one, &other };
@@ -172,9 +170,8 @@ static void never_stale(void **unused)
     }
 }
 
-static void questions_change_nothing_and_bad_ones_are_refused(void **unused)
+TEST(questions_change_nothing_and_bad_ones_are_refused)
 {
-    (void)unused;
     wfWorld world = make_world(wfFindBroadPhase("quad-tree"), 1), none = { .memory = { .owned = 0 } };
     add_ball(&world, 0, 0, 1);
     assert_ok(wfStepWorld(&world));
@@ -221,9 +218,8 @@ static void questions_change_nothing_and_bad_ones_are_refused(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void an_empty_world_answers(void **unused)
+TEST(an_empty_world_answers)
 {
-    (void)unused;
     wfWorld world = make_world(wfFindBroadPhase("quad-tree"), 1);
     for (int i = 0; i < 2; i++) {
         wfRayHit hit;
@@ -235,15 +231,4 @@ static void an_empty_world_answers(void **unused)
         assert_ok(wfStepWorld(&world));
     }
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(answers_by_hand),
-        cmocka_unit_test(never_stale),
-        cmocka_unit_test(questions_change_nothing_and_bad_ones_are_refused),
-        cmocka_unit_test(an_empty_world_answers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -55,9 +55,8 @@ static void build(wfWorld *world, wfReal k, int kind, wfBodyId *id)
     }
 }
 
-static void a_world_has_no_metre(void **state)
+TEST(a_world_has_no_metre)
 {
-    (void)state;
     for (int kind = 0; kind < KINDS; kind++)
         for (int power = -9; power <= 9; power += 18) {
             wfReal k = (wfReal)ldexp(1, power);
@@ -82,10 +81,4 @@ static void a_world_has_no_metre(void **state)
             wfDestroyWorld(&one);
             wfDestroyWorld(&other);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = { cmocka_unit_test(a_world_has_no_metre) };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

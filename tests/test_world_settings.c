@@ -9,9 +9,8 @@ static size_t bytes_of(const wfSetting *s)
 }
 
 /* Bytes that belong to no row can only be a hole before a field that is aligned to more than four bytes. */
-static void every_byte_of_a_definition_has_a_row(void **unused)
+TEST(every_byte_of_a_definition_has_a_row)
 {
-    (void)unused;
     unsigned char marks[sizeof(wfWorldDef)] = { 0 };
     for (int i = 0; i < wfSettingCount; i++)
         for (size_t k = 0; k < bytes_of(&wfSettingTable[i]); k++) marks[wfSettingTable[i].offset + k]++;
@@ -26,9 +25,8 @@ static void every_byte_of_a_definition_has_a_row(void **unused)
     for (size_t at = offsetof(wfWorldDef, memory); at < sizeof marks; at++) assert_int_equal(marks[at], 0);
 }
 
-static void names_find_rows(void **unused)
+TEST(names_find_rows)
 {
-    (void)unused;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
         assert_ptr_equal(wfFindSetting(s->name), s);      /* so names are unique, too */
@@ -82,9 +80,8 @@ static int bad_values(const wfSetting *s, double out[4])
 }
 
 /* A definition that differs from the default in one setting is created, and says so when it is asked. */
-static void every_good_value_is_kept(void **unused)
+TEST(every_good_value_is_kept)
 {
-    (void)unused;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
         if (s->kind == WF_SETTING_SET) continue;                /* tests/test_modules.c */
@@ -97,8 +94,7 @@ static void every_good_value_is_kept(void **unused)
                 def.bodyCapacity = 20;
                 assert_ok(wfPutSetting(&def, s, part, good[k]));
                 assert_near(wfSettingValue(&def, s, part), (double)(wfReal)good[k], 0);
-                wfWorld world;
-                assert_ok(wfCreateWorld(&def, &world));
+                wfWorld world = world_with(&def);
                 assert_ok(wfGetWorldDef(&world, &got));
                 bool chosen = good[k] == 0 && strstr(s->name, "Capacity") != NULL;
                 if (!chosen) assert_near(wfSettingValue(&got, s, part), wfSettingValue(&def, s, part), 0);
@@ -111,9 +107,8 @@ static void every_good_value_is_kept(void **unused)
     }
 }
 
-static void every_bad_value_is_refused_by_name(void **unused)
+TEST(every_bad_value_is_refused_by_name)
 {
-    (void)unused;
     const wfSetting *fault;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
@@ -151,9 +146,8 @@ static void every_bad_value_is_refused_by_name(void **unused)
     }
 }
 
-static void what_cannot_be_asked_is_refused(void **unused)
+TEST(what_cannot_be_asked_is_refused)
 {
-    (void)unused;
     wfWorldDef def = wfDefaultWorldDef();
     const wfSetting *fault = &wfSettingTable[0], *dt = wfFindSetting("timeStep");
     assert_result(WF_ERROR_NULL, wfCheckWorldDef(NULL, &fault));
@@ -175,16 +169,14 @@ static void what_cannot_be_asked_is_refused(void **unused)
 }
 
 /* What is built in does not change, and who tries hears it; all else changes. */
-static void settings_change_unless_they_are_built_in(void **unused)
+TEST(settings_change_unless_they_are_built_in)
 {
-    (void)unused;
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *s = &wfSettingTable[i];
         if (s->kind == WF_SETTING_SET) continue;                /* tests/test_modules.c */
         wfWorldDef def = wfDefaultWorldDef(), is, got;
-        wfWorld world;
         def.bodyCapacity = 20;
-        assert_ok(wfCreateWorld(&def, &world));
+        wfWorld world = world_with(&def);
         assert_ok(wfGetWorldDef(&world, &is));
         def = is;
         double good[3], was = wfSettingValue(&is, s, 0);
@@ -203,17 +195,4 @@ static void settings_change_unless_they_are_built_in(void **unused)
         }
         wfDestroyWorld(&world);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_byte_of_a_definition_has_a_row),
-        cmocka_unit_test(names_find_rows),
-        cmocka_unit_test(every_good_value_is_kept),
-        cmocka_unit_test(every_bad_value_is_refused_by_name),
-        cmocka_unit_test(what_cannot_be_asked_is_refused),
-        cmocka_unit_test(settings_change_unless_they_are_built_in),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

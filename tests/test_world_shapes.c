@@ -51,9 +51,8 @@ static wfVec2 velocity_at(wfBodyInfo b, wfVec2 point)
 }
 
 /* A dumb-bell: a bar 2 by 0.5 of density 2 in the middle, discs of radius 0.5 (density 3) and 0.25 (density 8) at its ends. */
-static void a_dumb_bell_weighs_what_its_parts_weigh(void **unused)
+TEST(a_dumb_bell_weighs_what_its_parts_weigh)
 {
-    (void)unused;
     wfWorld world = make_world(2, 4);
     wfShapeDef bar = box(0, 0, 1, 0.25), left = disc(-1.5, 0, 0.5), right = disc(1.25, 0, 0.25);
     bar.density = 2;
@@ -90,9 +89,8 @@ static void a_dumb_bell_weighs_what_its_parts_weigh(void **unused)
 }
 
 /* Four shapes, removed in each of the 24 orders: what is left weighs what a body of just these weighs. */
-static void removal_in_every_order(void **unused)
+TEST(removal_in_every_order)
 {
-    (void)unused;
     const wfShapeDef part[4] = { box(0, 0, 1, 0.5), disc(2, 1, 0.5), box(-1, 2, 0.25, 1), disc(0, -2, 0.75) };
     for (int order = 0; order < 24; order++) {
         int left[4] = { 0, 1, 2, 3 }, turn = order;
@@ -150,9 +148,8 @@ static void removal_in_every_order(void **unused)
     }
 }
 
-static void a_given_mass_stays(void **unused)
+TEST(a_given_mass_stays)
 {
-    (void)unused;
     wfWorld world = make_world(2, 4);
     wfShapeDef heavy = box(3, 0, 0.5, 0.5), none = box(0, 5, 1, 1), eye = box(0, 9, 1, 1);
     heavy.density = 3;
@@ -187,9 +184,8 @@ static void a_given_mass_stays(void **unused)
 }
 
 /* Two rods of 1 kg each, a T: both turn about their own middles with m l^2 / 12, and these are 0.5 m off the centre. */
-static void rods_share_a_given_mass(void **unused)
+TEST(rods_share_a_given_mass)
 {
-    (void)unused;
     wfWorld world = make_world(2, 4);
     wfBodyDef d = wfDefaultBodyDef();
     wfShapeDef stem = wfDefaultShapeDef(), eye = disc(0, 5, 1);
@@ -208,9 +204,8 @@ static void rods_share_a_given_mass(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void the_ground_keeps_its_centre(void **unused)
+TEST(the_ground_keeps_its_centre)
 {
-    (void)unused;
     enum { LINKS = 100 };
     wfWorld world = make_world(2, LINKS);
     wfBodyDef d = wfDefaultBodyDef();
@@ -236,9 +231,8 @@ static void the_ground_keeps_its_centre(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void parts_of_one_body_never_meet_and_contacts_name_them(void **unused)
+TEST(parts_of_one_body_never_meet_and_contacts_name_them)
 {
-    (void)unused;
     wfWorld world = make_world(4, 8);
     wfBodyDef d = body_of(disc(-1, 0, 0.6));
     wfBodyId two = add(&world, d);
@@ -271,9 +265,8 @@ static void parts_of_one_body_never_meet_and_contacts_name_them(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void materials_and_filters_are_the_shapes(void **unused)
+TEST(materials_and_filters_are_the_shapes)
 {
-    (void)unused;
     wfWorld world = make_world(4, 8);
     wfBodyId id = add(&world, body_of(disc(-1, 0, 0.5)));
     wfShapeDef rough = disc(1, 0, 0.5), got;
@@ -311,9 +304,8 @@ static void materials_and_filters_are_the_shapes(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void a_type_can_change(void **unused)
+TEST(a_type_can_change)
 {
-    (void)unused;
     wfWorld world = make_world(4, 8);
     wfBodyDef d = body_of(box(0, 0, 1, 1));
     d.type = WF_STATIC;
@@ -348,9 +340,8 @@ static void a_type_can_change(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void bad_shapes_change_nothing(void **unused)
+TEST(bad_shapes_change_nothing)
 {
-    (void)unused;
     wfWorld world = make_world(2, 4);
     wfBodyId id = add(&world, body_of(disc(0, 0, 1)));
     wfShapeId first = wfFirstShape(&world, id), ids[3] = { { 7, 7 }, { 7, 7 }, { 7, 7 } };
@@ -418,9 +409,8 @@ static void bad_shapes_change_nothing(void **unused)
     wfDestroyWorld(&world);
 }
 
-static void names_of_shapes_are_for_ever(void **unused)
+TEST(names_of_shapes_are_for_ever)
 {
-    (void)unused;
     wfWorld world = make_world(2, 4);
     wfBodyId id = add(&world, body_of(disc(0, 0, 1)));
     wfShapeId a = hang(&world, id, disc(1, 0, 1)), b = hang(&world, id, disc(2, 0, 1));
@@ -443,9 +433,8 @@ static void names_of_shapes_are_for_ever(void **unused)
 }
 
 /* Water and wind see a body of two halves as they see the whole. */
-static void forces_see_all_shapes(void **unused)
+TEST(forces_see_all_shapes)
 {
-    (void)unused;
     wfWorld one = make_world(1, 2), two = make_world(1, 2);
     wfWorld *worlds[2] = { &one, &two };
     wfBodyInfo b[2];
@@ -474,9 +463,8 @@ static void forces_see_all_shapes(void **unused)
     wfDestroyWorld(&two);
 }
 
-static void the_mouse_finds_every_part(void **unused)
+TEST(the_mouse_finds_every_part)
 {
-    (void)unused;
     wfWorld world = make_world(2, 4);
     wfBodyId id = add(&world, body_of(disc(0, 0, 1))), got;
     hang(&world, id, disc(5, 0, 1));
@@ -489,9 +477,8 @@ static void the_mouse_finds_every_part(void **unused)
 
 /* The usual ways to spoil a polygon. The maker refuses what has no good reading, and takes the hull of the rest; the world,
    given the corners as they are, refuses all of them, with a sentence that says what to do, and not a byte of it changes. */
-static void spoilt_polygons_change_nothing(void **unused)
+TEST(spoilt_polygons_change_nothing)
 {
-    (void)unused;
     const wfReal nan = (wfReal)NAN, inf = (wfReal)INFINITY, s = WF_R(1e-30), l = WF_R(1e30);
     const struct { const char *what; int n; wfReal p[5][2]; wfResult made; } bad[] = {
         { "NaN", 4, { { 0, 0 }, { 1, 0 }, { 1, nan }, { 0, 1 } }, WF_ERROR_NOT_FINITE },
@@ -535,23 +522,4 @@ static void spoilt_polygons_change_nothing(void **unused)
     }
     free(bytes);
     wfDestroyWorld(&world);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_dumb_bell_weighs_what_its_parts_weigh),
-        cmocka_unit_test(removal_in_every_order),
-        cmocka_unit_test(a_given_mass_stays),
-        cmocka_unit_test(rods_share_a_given_mass),
-        cmocka_unit_test(the_ground_keeps_its_centre),
-        cmocka_unit_test(parts_of_one_body_never_meet_and_contacts_name_them),
-        cmocka_unit_test(materials_and_filters_are_the_shapes),
-        cmocka_unit_test(a_type_can_change),
-        cmocka_unit_test(bad_shapes_change_nothing), cmocka_unit_test(spoilt_polygons_change_nothing),
-        cmocka_unit_test(names_of_shapes_are_for_ever),
-        cmocka_unit_test(forces_see_all_shapes),
-        cmocka_unit_test(the_mouse_finds_every_part),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -9,10 +9,9 @@ enum { AGES = sizeof ages / sizeof *ages };
 static wfWorld aged(double age, const char *solver)
 {
     wfWorldDef def = wfDefaultWorldDef();
-    wfWorld world;
     def.gravity = wfV2(0, 0);
     def.solver = wfFindSolver(solver);
-    assert_ok(wfCreateWorld(&def, &world));
+    wfWorld world = world_with(&def);
     wfBodyDef d = ball_def(2, 0, 0.5);
     d.mass = 1;
     add(&world, d);
@@ -32,9 +31,8 @@ static void explodes(wfWorld *world, double start)
 
 /* The same bits at any age: all that a force is told is for how long it has been there. The age is a difference of two doubles; so it is
  * the same number if a step's end is, as with dt = 1/64 s. */
-static void an_explosion_is_the_same_at_any_age(void **unused)
+TEST(an_explosion_is_the_same_at_any_age)
 {
-    (void)unused;
     static const char *const solver[] = { "soft", "sequential" };
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < AGES; i++) {
@@ -55,9 +53,8 @@ static void an_explosion_is_the_same_at_any_age(void **unused)
 
 /* At once, at 60 steps a second: within what six teeth of the comb see of the pulse, sec:forces-blast-wrong. A double knows a hundred
  * years, 3e9 s, to 5e-7 s, which is that share of the pulse's 0.1 s times 2 pi: less than 1e-4 of its impulse. */
-static void the_impulse_arrives_at_any_age(void **unused)
+TEST(the_impulse_arrives_at_any_age)
 {
-    (void)unused;
     double first = 0;
     for (int i = 0; i < AGES; i++) {
         wfWorld world = aged(ages[i], "soft");
@@ -69,13 +66,4 @@ static void the_impulse_arrives_at_any_age(void **unused)
         assert_near(v, first, 1e-4 * first);
         wfDestroyWorld(&world);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(an_explosion_is_the_same_at_any_age),
-        cmocka_unit_test(the_impulse_arrives_at_any_age),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,8 +10,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#if __has_include("weft/core.h")          /* before the chapter memory there are no results yet (make upto CHAPTER=memory) */
 #include "weft/core.h"
-#if __has_include("weft/math.h")          /* before the chapter numbers there are no numbers yet (make upto CHAPTER=5) */
+#define WEFT_TESTING_RESULTS 1
+#endif
+#if __has_include("weft/math.h")          /* and before the chapter numbers no numbers */
 #include "weft/math.h"
 #define WEFT_TESTING_NUMBERS 1
 #endif
@@ -36,12 +39,14 @@ static inline void check_near2(wfVec2 got, wfVec2 want, double tolerance, const 
 }
 #endif
 
+#ifdef WEFT_TESTING_RESULTS
 static inline void check_result(wfResult got, wfResult want, const char *text, const char *file, int line)
 {
     if (got == want) return;
     print_error("%s\n  returned %s, want %s\n", text, wfResultName(got), wfResultName(want));
     _fail(file, line);
 }
+#endif
 
 #define assert_near(got, want, tolerance) \
     check_near((double)(got), (double)(want), (double)(tolerance), #got " is near " #want, __FILE__, __LINE__)
@@ -93,5 +98,31 @@ static inline wfReal random_wide(wfRandom *r, int bits)
     double a = ldexp(digits, (int)wfRandomBelow(r, (uint32_t)(2 * bits)) - bits);
     return (wfReal)((wfRandomU32(r) & 1) ? -a : a);
 }
+#endif
+
+/* A test: TEST(a_ball_falls) { ... }. It lists itself, and the file's program runs what is listed in the order in which it stands.
+ * A file that has more to do defines OWN_MAIN above its includes, and calls run_listed(). */
+enum { MOST_TESTS = 100 };
+static struct CMUnitTest listed_tests[MOST_TESTS];
+static int listed_lines[MOST_TESTS], listed_count;
+
+static inline void list_test(int line, struct CMUnitTest test)
+{
+    if (listed_count == MOST_TESTS) abort();
+    int i = listed_count++;
+    for (; i > 0 && listed_lines[i - 1] > line; i--) listed_lines[i] = listed_lines[i - 1], listed_tests[i] = listed_tests[i - 1];
+    listed_lines[i] = line, listed_tests[i] = test;
+}
+
+#define LIST_TEST(id, ...) \
+    __attribute__((constructor)) static void list_##id(void) { list_test(__LINE__, (struct CMUnitTest){ __VA_ARGS__ }); }
+#define TEST(name) \
+    static void name(void **); \
+    LIST_TEST(name, #name, name, NULL, NULL, NULL) \
+    static void name(__attribute__((unused)) void **cmocka_state)
+
+static inline int run_listed(void) { return _cmocka_run_group_tests("tests", listed_tests, (size_t)listed_count, NULL, NULL); }
+#ifndef OWN_MAIN
+int main(void) { return run_listed(); }
 #endif
 #endif

@@ -81,7 +81,6 @@ static bool add_limb(Search *q, int32_t contact, int32_t body, int32_t below)
     return true;
 }
 
-
 /* A contact whose other end is no news. */
 static bool add_link(Search *q, int32_t contact)
 {
@@ -133,7 +132,6 @@ static bool close_loops(Search *q, int32_t root)
     t->answers += ANSWERS(3 * q->loops);
     return true;
 }
-
 
 static bool is_alone(const Search *q, const wfLimb *root)
 {

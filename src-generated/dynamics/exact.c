@@ -355,14 +355,13 @@ static void give_back(wfJoint *j, const wfJointWork *w, wfReal *x, bool last, bo
     }
 }
 
-/* Takes off what is not tangent, of the velocities in `next`; pushes the states. */
-static void make_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool last)
+/* x: what takes off all that is not tangent of the velocities in `next`. */
+static void find_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in)
 {
     memset(m->x, 0, (size_t)m->count * sizeof *m->x);
     true_inertias(m, set);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
-        /* ask the rows of joint i for their rates */
         m->rows[i] = set->work[i].holds;
         for (int32_t k = 0; k < set->work[i].holds; k++) {
             m->line[i][k] = line_of(&set->work[i].row[set->work[i].hold[k]]);
@@ -372,6 +371,12 @@ static void make_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool l
     wfFillJoints(m, set, in);
     wfFactorJoints(m, set, in);
     wfSolveMatrix(m);
+}
+
+/* Takes it off, and pushes the states. */
+static void make_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool last)
+{
+    find_tangent(m, set, in);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         give_back(&set->joints[i], &set->work[i], m->x[i], last, m->moved,
@@ -662,20 +667,7 @@ static void give_up(wfMatrix *m, wfJointSet *set, const wfSolve *in)
     m->lost = true;
     stop_moving(m, in);
     copy_bodies(m, m->free, m->next);
-    memset(m->x, 0, (size_t)m->count * sizeof *m->x);
-    true_inertias(m, set);
-    for (int32_t n = 0; n < m->ordered; n++) {
-        int32_t i = m->order[n];
-        /* ask the rows of joint i for their rates */
-        m->rows[i] = set->work[i].holds;
-        for (int32_t k = 0; k < set->work[i].holds; k++) {
-            m->line[i][k] = line_of(&set->work[i].row[set->work[i].hold[k]]);
-            m->x[i][k] = -rate_of(&m->line[i][k], &set->joints[i], m->next);
-        }
-    }
-    wfFillJoints(m, set, in);
-    wfFactorJoints(m, set, in);
-    wfSolveMatrix(m);
+    find_tangent(m, set, in);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {

@@ -55,7 +55,6 @@ static void gravity_apply(const wfForce *f, const wfBodyView *bodies, wfReal tim
     }
 }
 
-
 static wfReal gravity_energy(const wfForce *f, const wfBodyView *bodies)
 {
     wfReal sum = 0;
@@ -624,7 +623,6 @@ wfForce wfGravity(wfVec2 g)
     return (wfForce){ .kind = WF_FORCE_GRAVITY, .a = -1, .b = -1, .gravity = { g } };
 }
 
-
 wfForce wfSpring(int32_t a, wfVec2 localA, int32_t b, wfVec2 localB, wfReal rest,
                  wfReal stiffness, wfReal damping)
 {
@@ -712,7 +710,6 @@ void wfAccumulateForces(const wfForce *forces, int n, const wfBodyView *bodies, 
         out[i].torque /= most;
     }
 }
-
 
 wfReal wfForceEnergy(const wfForce *forces, int n, const wfBodyView *bodies)
 {

@@ -181,7 +181,6 @@ static void give_finely(wfSubsteps *s, int32_t i, const double was[3], const dou
     add_finely(&m->turn, &rest->angle, -(double)t * dv[2]);
 }
 
-
 enum { FINE_PASSES = 8 };
 
 /* The bounce that wfBounce has found, a and b after it, with all digits. */

@@ -132,7 +132,6 @@ void wfKeepBuiltIn(const wfHeader *own, wfHeader *now)
                    sizeof(int32_t));
     }
     now->bodySlots.capacity = own->bodySlots.capacity;
-    /* further things of a header that are built in */
     now->shapeSlots.capacity = own->shapeSlots.capacity;
     now->large = own->large;
     now->forceSlots.capacity = own->forceSlots.capacity;
@@ -142,7 +141,6 @@ void wfKeepBuiltIn(const wfHeader *own, wfHeader *now)
 static bool holds_slots(int region)
 {
     switch (region) {
-    /* regions that hold slots */
     case WF_REGION_BODY_SLOTS:
     case WF_REGION_SHAPE_SLOTS:
     case WF_REGION_FORCE_SLOTS:

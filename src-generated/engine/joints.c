@@ -281,7 +281,6 @@ int32_t wfUnsolvedSubsteps(const wfWorld *world)
     return wfOpenBlock(world, &b) == WF_OK ? b.head->unsolved : 0;
 }
 
-
 const wfJointId *wfBrokenJoints(const wfWorld *world, int32_t *count)
 {
     wfBlock b;

@@ -91,4 +91,3 @@ wfResult wfModuleError(uint32_t modules)
         if (modules & wfModuleTable[i].bit) return wfModuleTable[i].error;
     return modules == 0 ? WF_OK : WF_ERROR_UNKNOWN;
 }
-

@@ -7,6 +7,9 @@
 
 /* inputs */
 typedef wfResult GiveFn(wfWorld *w, const wfInput *in, wfInputId *made);
+#define CALL(name, call) \
+    static wfResult give_##name(wfWorld *w, const wfInput *in, wfInputId *made) \
+    { (void)made; return call; }
 
 static wfBodyId body_of(const wfInput *in)
 {
@@ -21,77 +24,18 @@ static wfResult add_body(wfWorld *w, const wfInput *in, wfInputId *made)
     return result;
 }
 
-static wfResult remove_body(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfRemoveBodyFromWorld(w, body_of(in));
-}
-
-static wfResult place_body(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyTransform(w, body_of(in), in->with.at, in->with.x);
-}
-
-static wfResult set_velocity(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyVelocity(w, body_of(in), in->with.by, in->with.x);
-}
-
-static wfResult set_mass(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyMass(w, body_of(in), in->with.x);
-}
-
-static wfResult set_type(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfChangeBodyType(w, body_of(in), in->with.number);
-}
-
-static wfResult set_damping(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyDamping(w, body_of(in), in->with.x, in->with.y);
-}
-
-static wfResult set_gravity(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetGravity(w, in->with.by);
-}
-
-static wfResult set_dt(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetTimeStep(w, in->with.x);
-}
-
-static wfResult push(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfApplyForceToBody(w, body_of(in), in->with.by, in->with.at);
-}
-
-static wfResult twist(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfApplyTorqueToBody(w, body_of(in), in->with.x);
-}
-
-static wfResult kick(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfApplyImpulseToBody(w, body_of(in), in->with.by, in->with.at);
-}
-
-static wfResult spin(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfApplyAngularImpulseToBody(w, body_of(in), in->with.x);
-}
+CALL(remove_body, wfRemoveBodyFromWorld(w, body_of(in)))
+CALL(place_body, wfSetBodyTransform(w, body_of(in), in->with.at, in->with.x))
+CALL(set_velocity, wfSetBodyVelocity(w, body_of(in), in->with.by, in->with.x))
+CALL(set_mass, wfSetBodyMass(w, body_of(in), in->with.x))
+CALL(set_type, wfChangeBodyType(w, body_of(in), in->with.number))
+CALL(set_damping, wfSetBodyDamping(w, body_of(in), in->with.x, in->with.y))
+CALL(set_gravity, wfSetGravity(w, in->with.by))
+CALL(set_dt, wfSetTimeStep(w, in->with.x))
+CALL(push, wfApplyForceToBody(w, body_of(in), in->with.by, in->with.at))
+CALL(twist, wfApplyTorqueToBody(w, body_of(in), in->with.x))
+CALL(kick, wfApplyImpulseToBody(w, body_of(in), in->with.by, in->with.at))
+CALL(spin, wfApplyAngularImpulseToBody(w, body_of(in), in->with.x))
 
 static wfResult set_more(wfWorld *w, const wfInput *in, wfInputId *made)
 {
@@ -128,23 +72,9 @@ static wfResult add_shape(wfWorld *w, const wfInput *in, wfInputId *made)
     return result;
 }
 
-static wfResult remove_shape(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfRemoveShapeFromWorld(w, shape_of(in));
-}
-
-static wfResult set_shape(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetShape(w, shape_of(in), &in->shape);
-}
-
-static wfResult set_material(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodyMaterial(w, body_of(in), in->with.x, in->with.y);
-}
+CALL(remove_shape, wfRemoveShapeFromWorld(w, shape_of(in)))
+CALL(set_shape, wfSetShape(w, shape_of(in), &in->shape))
+CALL(set_material, wfSetBodyMaterial(w, body_of(in), in->with.x, in->with.y))
 
 static wfForceId force_of(const wfInput *in)
 {
@@ -161,11 +91,7 @@ static wfResult add_force(wfWorld *w, const wfInput *in, wfInputId *made)
     return result;
 }
 
-static wfResult remove_force(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfRemoveForceFromWorld(w, force_of(in));
-}
+CALL(remove_force, wfRemoveForceFromWorld(w, force_of(in)))
 
 static wfResult set_force(wfWorld *w, const wfInput *in, wfInputId *made)
 {
@@ -187,17 +113,8 @@ static wfResult add_joint(wfWorld *w, const wfInput *in, wfInputId *made)
     return result;
 }
 
-static wfResult remove_joint(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfRemoveJointFromWorld(w, joint_of(in));
-}
-
-static wfResult set_joint(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetJoint(w, joint_of(in), &in->joint);
-}
+CALL(remove_joint, wfRemoveJointFromWorld(w, joint_of(in)))
+CALL(set_joint, wfSetJoint(w, joint_of(in), &in->joint))
 
 static wfResult set_rest(wfWorld *w, const wfInput *in, wfInputId *made)
 {
@@ -206,12 +123,7 @@ static wfResult set_rest(wfWorld *w, const wfInput *in, wfInputId *made)
     if (in->kind == WF_INPUT_SLEEP) return wfSetBodyAsleep(w, body_of(in));
     return wfDisableBodySleep(w, body_of(in), in->with.number);
 }
-
-static wfResult enable(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfEnableBody(w, body_of(in), in->with.number);
-}
+CALL(enable, wfEnableBody(w, body_of(in), in->with.number))
 
 static wfResult set_pair(wfWorld *w, const wfInput *in, wfInputId *made)
 {
@@ -234,40 +146,26 @@ static wfResult set_setting(wfWorld *w, const wfInput *in, wfInputId *made)
     return result == WF_OK ? wfSetWorldDef(w, &def) : result;
 }
 
-static wfResult move_origin(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfShiftOrigin(w, in->with.by, NULL);
-}
-
-static wfResult set_origin(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetWorldOrigin(w, in->global);
-}
-
-static wfResult set_substeps(wfWorld *w, const wfInput *in, wfInputId *made)
-{
-    (void)made;
-    return wfSetBodySubsteps(w, body_of(in), in->with.number);
-}
+CALL(move_origin, wfShiftOrigin(w, in->with.by, NULL))
+CALL(set_origin, wfSetWorldOrigin(w, in->global))
+CALL(set_substeps, wfSetBodySubsteps(w, body_of(in), in->with.number))
 /* the table of inputs */
 #define NUMBERS sizeof(((wfInput *)0)->with)
 static const struct { const char *name; size_t size; GiveFn *give; }
 input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_ADD_BODY]    = { "add body", sizeof(wfBodyDef), add_body },
-    [WF_INPUT_REMOVE_BODY] = { "remove body", 0, remove_body },
-    [WF_INPUT_TRANSFORM]   = { "transform", NUMBERS, place_body },
-    [WF_INPUT_VELOCITY]    = { "velocity", NUMBERS, set_velocity },
-    [WF_INPUT_MASS]        = { "mass", NUMBERS, set_mass },
-    [WF_INPUT_TYPE]        = { "type", NUMBERS, set_type },
-    [WF_INPUT_DAMPING]     = { "damping", NUMBERS, set_damping },
-    [WF_INPUT_PUSH]        = { "push", NUMBERS, push },
-    [WF_INPUT_TWIST]       = { "twist", NUMBERS, twist },
-    [WF_INPUT_IMPULSE]     = { "impulse", NUMBERS, kick },
-    [WF_INPUT_SPIN]        = { "spin", NUMBERS, spin },
-    [WF_INPUT_GRAVITY]     = { "gravity", NUMBERS, set_gravity },
-    [WF_INPUT_DT]          = { "time step", NUMBERS, set_dt },
+    [WF_INPUT_REMOVE_BODY] = { "remove body", 0, give_remove_body },
+    [WF_INPUT_TRANSFORM]   = { "transform", NUMBERS, give_place_body },
+    [WF_INPUT_VELOCITY]    = { "velocity", NUMBERS, give_set_velocity },
+    [WF_INPUT_MASS]        = { "mass", NUMBERS, give_set_mass },
+    [WF_INPUT_TYPE]        = { "type", NUMBERS, give_set_type },
+    [WF_INPUT_DAMPING]     = { "damping", NUMBERS, give_set_damping },
+    [WF_INPUT_PUSH]        = { "push", NUMBERS, give_push },
+    [WF_INPUT_TWIST]       = { "twist", NUMBERS, give_twist },
+    [WF_INPUT_IMPULSE]     = { "impulse", NUMBERS, give_kick },
+    [WF_INPUT_SPIN]        = { "spin", NUMBERS, give_spin },
+    [WF_INPUT_GRAVITY]     = { "gravity", NUMBERS, give_set_gravity },
+    [WF_INPUT_DT]          = { "time step", NUMBERS, give_set_dt },
     [WF_INPUT_GRAVITY_SCALE]  = { "gravity scale", NUMBERS, set_more },
     [WF_INPUT_FIXED_ROTATION] = { "fixed rotation", NUMBERS, set_more },
     [WF_INPUT_MASS_DATA]      = { "mass data", NUMBERS, set_more },
@@ -276,27 +174,27 @@ input_table[WF_INPUT_KINDS] = {
     [WF_INPUT_SHAPE_DATA]     = { "data of a shape", sizeof(uint64_t), set_data },
     [WF_INPUT_JOINT_DATA]     = { "data of a joint", sizeof(uint64_t), set_data },
     [WF_INPUT_ADD_SHAPE]    = { "add shape", sizeof(wfShapeDef), add_shape },
-    [WF_INPUT_REMOVE_SHAPE] = { "remove shape", 0, remove_shape },
-    [WF_INPUT_SET_SHAPE]    = { "set shape", sizeof(wfShapeDef), set_shape },
-    [WF_INPUT_MATERIAL]     = { "material", NUMBERS, set_material },
+    [WF_INPUT_REMOVE_SHAPE] = { "remove shape", 0, give_remove_shape },
+    [WF_INPUT_SET_SHAPE]    = { "set shape", sizeof(wfShapeDef), give_set_shape },
+    [WF_INPUT_MATERIAL]     = { "material", NUMBERS, give_set_material },
     [WF_INPUT_ADD_FORCE]    = { "add force", sizeof(wfForce), add_force },
-    [WF_INPUT_REMOVE_FORCE] = { "remove force", 0, remove_force },
+    [WF_INPUT_REMOVE_FORCE] = { "remove force", 0, give_remove_force },
     [WF_INPUT_SET_FORCE]    = { "set force", sizeof(wfForce), set_force },
     [WF_INPUT_GRAB]         = { "grab", NUMBERS, add_force },
     [WF_INPUT_DRAG]         = { "drag", NUMBERS, set_force },
     [WF_INPUT_ADD_JOINT]    = { "add joint", sizeof(wfJoint), add_joint },
-    [WF_INPUT_REMOVE_JOINT] = { "remove joint", 0, remove_joint },
-    [WF_INPUT_SET_JOINT]    = { "set joint", sizeof(wfJoint), set_joint },
+    [WF_INPUT_REMOVE_JOINT] = { "remove joint", 0, give_remove_joint },
+    [WF_INPUT_SET_JOINT]    = { "set joint", sizeof(wfJoint), give_set_joint },
     [WF_INPUT_WAKE]         = { "wake", 0, set_rest },
     [WF_INPUT_SLEEP]        = { "sleep", 0, set_rest },
     [WF_INPUT_NEVER_SLEEPS] = { "never sleeps", NUMBERS, set_rest },
-    [WF_INPUT_ENABLE]       = { "enable", NUMBERS, enable },
+    [WF_INPUT_ENABLE]       = { "enable", NUMBERS, give_enable },
     [WF_INPUT_PAIR]        = { "pair of materials", sizeof(wfPairMaterial), set_pair },
     [WF_INPUT_FORGET_PAIR] = { "forget a pair", 0, set_pair },
     [WF_INPUT_SETTING]     = { "setting", NUMBERS, set_setting },
-    [WF_INPUT_MOVE_ORIGIN] = { "move origin", NUMBERS, move_origin },
-    [WF_INPUT_SET_ORIGIN]  = { "set origin", sizeof(wfGlobalPoint), set_origin },
-    [WF_INPUT_SUBSTEPS] = { "substeps", NUMBERS, set_substeps },
+    [WF_INPUT_MOVE_ORIGIN] = { "move origin", NUMBERS, give_move_origin },
+    [WF_INPUT_SET_ORIGIN]  = { "set origin", sizeof(wfGlobalPoint), give_set_origin },
+    [WF_INPUT_SUBSTEPS] = { "substeps", NUMBERS, give_set_substeps },
 };
 
 static wfResult give(wfWorld *world, const wfInput *in, wfInputId *made)

@@ -283,6 +283,8 @@ static wfResult commit(struct wfStep *s)
     for (int32_t i = 0; s->b.head->disabledCount > 0 && i < s->count; i++)
         if (s->b.alive[i] == WF_DISABLED) s->state[i] = s->b.state[i];
     copy_back(s->b.state, s->state, s->count, sizeof *s->state);
+    head->time += (double)head->timeStep;
+    head->steps++;
     /* commit what was found */
     if (wfHas(head, WF_MODULE_PUSHES))
         memset(s->b.applied, 0, (size_t)s->count * sizeof *s->b.applied);
@@ -295,19 +297,15 @@ static wfResult commit(struct wfStep *s)
     if (s->index != NULL)
         wfCopyIndex(head->broadPhase, s->b.index, s->index, wfIndexBytes(head),
                     s->shapeCount, true);
+    head->kept = s->kept;
+    head->pairCount = s->kept.pairs + s->pairs.count;
+    head->contactCount = s->kept.contacts + s->contactCount;
+    head->indexStale = 1;
     copy_back(s->b.caches + at, s->caches, pairs, sizeof *s->caches);
     copy_back(s->b.touches + s->kept.touches, s->touches, s->touchCount,
               sizeof *s->touches);
     copy_back(s->b.events, s->events, s->eventTotal, sizeof *s->events);
     copy_back(s->b.hits, s->hits, s->hitCount, sizeof *s->hits);
-    if (s->fine != NULL) keep_digits(s);
-    head->time += (double)head->timeStep;
-    head->steps++;
-    /* count what was committed */
-    head->kept = s->kept;
-    head->pairCount = s->kept.pairs + s->pairs.count;
-    head->contactCount = s->kept.contacts + s->contactCount;
-    head->indexStale = 1;
     head->touchCount = s->kept.touches + s->touchCount;
     head->hitCount = s->hitCount;
     memcpy(head->eventCount, s->eventCount, sizeof head->eventCount);
@@ -316,6 +314,7 @@ static wfResult commit(struct wfStep *s)
     head->report = s->report;      /* the solver's, sec:world-substeps */
     head->indexStale = !head->queries;
     if (head->mostContacts < s->mostTouches) head->mostContacts = s->mostTouches;
+    if (s->fine != NULL) keep_digits(s);
     head->fastCount = s->fastCount;
     head->impactCount = s->impactCount;
     head->heldCount = s->heldCount;

@@ -115,7 +115,6 @@ static bool has_too_many(const struct wfStep *s)
     return s->touchCount > s->b.head->contactCapacity - s->kept.touches;
 }
 
-
 static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
 {
     if (!s->b.head->events) return;
@@ -511,7 +510,6 @@ wfContact wfStartContact(const struct wfStep *s, wfPair p)
     start_contact(s, p, &c);
     return c;
 }
-
 
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled)
 {

@@ -2,6 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/body.h"
 #include "figures/kit.h"
+
 static void figure_bodies_velocity(wfDraw *d, const wfFigureInput *in)
 {
     wfShape plate;

@@ -4,6 +4,7 @@
 #include "weft/force.h"
 #include "weft/integrate.h"
 #include "figures/kit.h"
+
 static void figure_int_orbits(wfDraw *d, const wfFigureInput *in)
 {
     static const char *const method[4] = { "rk4", "explicit-euler", "symplectic-euler",

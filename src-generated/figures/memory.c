@@ -3,6 +3,7 @@
 #include "weft/core.h"
 #include "lab/toy_heap.h"
 #include "figures/kit.h"
+
 static void figure_memory_holes(wfDraw *d, const wfFigureInput *in)
 {
     static ToyHeap heap;

@@ -3,6 +3,7 @@
 #include <math.h>
 #include "weft/narrow.h"
 #include "figures/kit.h"
+
 /* the shadows of a and b on an axis through `at`; green if they are apart */
 static void narrow_shadows(wfDraw *d, const wfShape *a, wfTransform xa, const wfShape *b,
                            wfTransform xb, wfVec2 axis, wfVec2 at, bool best)

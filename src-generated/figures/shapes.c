@@ -2,6 +2,7 @@
  * edit the chapter and type make. MIT licence. */
 #include "weft/shape.h"
 #include "figures/kit.h"
+
 static void figure_shapes_bounds(wfDraw *d, const wfFigureInput *in)
 {
     static const wfVec2 points[5] = { { { -1.5f, -0.5f } }, { { 1.3f, -0.6f } },

@@ -4,6 +4,7 @@
 #include <string.h>
 #include "weft/resolve.h"
 #include "lab/bench.h"
+
 enum { LAB_BOXES = 16 };
 typedef struct labPile {
     wfShape     floor, box;

@@ -4,6 +4,7 @@
 #include "weft/force.h"
 #include "weft/integrate.h"
 #include "lab/bench.h"
+
 /* exp(re) (cos(im) + i sin(im)) by its power series; good to 1e-12 for |re|, |im| <= 10. */
 static void orbit_exp(double re, double im, double *cosine, double *sine)
 {

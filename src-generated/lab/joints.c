@@ -4,6 +4,7 @@
 #include <string.h>
 #include "weft/joint.h"
 #include "lab/bench.h"
+
 /* How far the load is below its place, m: the last value and, in *worst, the greatest. */
 static double lab_hang(labChain *c, int steps, double *worst)
 {

@@ -2,6 +2,7 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "weft/narrow.h"
 #include "lab/bench.h"
+
 static int measure_narrow_far(FILE *out)
 {
     wfShape a, b;

@@ -3,6 +3,7 @@
 #include <time.h>
 #include "weft/impact.h"
 #include "lab/bench.h"
+
 static bool impact_picture(wfReal wall, wfReal radius, wfReal way, bool turnedBack)
 {
     wfShape w, ball;

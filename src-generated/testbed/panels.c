@@ -19,7 +19,6 @@ static bool panel_shows(const game *g, float y, float h)
     return y >= g->panel_top && y + h <= g->panel_bottom;
 }
 
-
 /* the panel at the right */
 void game_time_bar(ui *u, game *g)
 {

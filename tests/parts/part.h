@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include "weft/weft.h"
 
+/* A test: PART(joints) { ... return 0; } */
+#define PART(name) int part_##name(void); int part_##name(void)
 /* Says which line failed, and leaves the test. */
 #define CHECK(what) do { if (!(what)) { printf("%s:%d: %s\n", __FILE__, __LINE__, #what); return 1; } } while (0)
 #define OK(call) CHECK((call) == WF_OK)

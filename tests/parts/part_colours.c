@@ -24,8 +24,7 @@ static uint64_t pile(int colours, int lanes)
     return hash;
 }
 
-int part_colours(void);
-int part_colours(void)
+PART(colours)
 {
     uint64_t several = pile(1, 1);
     CHECK(several != 0 && several == pile(1, 0));

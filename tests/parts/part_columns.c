@@ -26,8 +26,7 @@ static double sunk(int columns)
     return 39.5 - y;
 }
 
-int part_columns(void);
-int part_columns(void)
+PART(columns)
 {
     CHECK(sunk(1) < 2e-3);
     CHECK(sunk(0) > 0.05);

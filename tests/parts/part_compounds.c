@@ -4,8 +4,7 @@
 
 static unsigned char scratch[65536];
 
-int part_compounds(void);
-int part_compounds(void)
+PART(compounds)
 {
     const wfVec2 ell[] = { wfV2(0, 0), wfV2(2, 0), wfV2(2, 1), wfV2(1, 1), wfV2(1, 2), wfV2(0, 2) };
     wfShape piece[6];

@@ -27,8 +27,7 @@ static int stays(int broad, int narrow, int solver)
     return 0;
 }
 
-int part_contacts(void);
-int part_contacts(void)
+PART(contacts)
 {
     for (int row = 0; row < wfBroadPhaseCount; row++) CHECK(stays(row, -1, -1) == 0);
     for (int row = 0; row < wfNarrowPhaseCount; row++) CHECK(stays(-1, row, -1) == 0);

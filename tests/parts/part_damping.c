@@ -2,8 +2,7 @@
 /* Without gravity, damping at the rate c shrinks the velocity by exp(-c t), at any step. */
 #include "part.h"
 
-int part_damping(void);
-int part_damping(void)
+PART(damping)
 {
     wfWorld world;
     wfBodyDef body = part_particle(0, 0);

@@ -3,8 +3,7 @@
 #include "part.h"
 #include "weft/disable.h"
 
-int part_disabled(void);
-int part_disabled(void)
+PART(disabled)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

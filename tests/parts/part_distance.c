@@ -2,8 +2,7 @@
 /* How far is the wall, and how far can a box be pushed towards it? */
 #include "part.h"
 
-int part_distance(void);
-int part_distance(void)
+PART(distance)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* What falls freely keeps the sum of its energies: m v^2 / 2 + m g y. */
 #include "part.h"
 
-int part_energy(void);
-int part_energy(void)
+PART(energy)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* A ball that falls on the floor begins to touch it once, and is a hit. */
 #include "part.h"
 
-int part_events(void);
-int part_events(void)
+PART(events)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

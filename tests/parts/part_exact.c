@@ -2,8 +2,7 @@
 /* A chain of five, solved together, keeps its links to a hundredth of a millimetre. */
 #include "part.h"
 
-int part_exact(void);
-int part_exact(void)
+PART(exact)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

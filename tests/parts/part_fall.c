@@ -2,8 +2,7 @@
 /* Every integrator of the engine lets a particle fall. Verlet is exact but for rounding; the others are of order 1 at least: g t h. */
 #include "part.h"
 
-int part_fall(void);
-int part_fall(void)
+PART(fall)
 {
     for (int row = 0; row < wfIntegratorCount; row++) {
         wfWorldDef def = wfDefaultWorldDef();

@@ -2,8 +2,7 @@
 /* A world that lies 10^12 m away falls as it does at home. */
 #include "part.h"
 
-int part_far(void);
-int part_far(void)
+PART(far)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* A bullet of 5 cm at 1000 m/s does not get through a sheet of 2 cm. */
 #include "part.h"
 
-int part_fast(void);
-int part_fast(void)
+PART(fast)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

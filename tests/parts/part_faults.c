@@ -3,8 +3,7 @@
 #include <string.h>
 #include "part.h"
 
-int part_faults(void);
-int part_faults(void)
+PART(faults)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* A ball that bounces with e = 1 keeps its height to a millionth of a metre for a hundred seconds. */
 #include "part.h"
 
-int part_fine(void);
-int part_fine(void)
+PART(fine)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* A spring of 4 pi^2 N/m and a kilogram swing once a second: after half a second the body is on the other side. */
 #include "part.h"
 
-int part_forces(void);
-int part_forces(void)
+PART(forces)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -3,8 +3,7 @@
 #include "part.h"
 #include "weft/frames.h"
 
-int part_frames(void);
-int part_frames(void)
+PART(frames)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

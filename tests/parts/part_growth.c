@@ -2,8 +2,7 @@
 /* A world with room for one body gets three. */
 #include "part.h"
 
-int part_growth(void);
-int part_growth(void)
+PART(growth)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -9,8 +9,7 @@ static bool never(void *context, const wfCallbackView *view, int32_t a, int32_t 
     return false;
 }
 
-int part_hooks(void);
-int part_hooks(void)
+PART(hooks)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -3,8 +3,7 @@
 #include "part.h"
 #include "weft/joint.h"
 
-int part_joint_laws(void);
-int part_joint_laws(void)
+PART(joint_laws)
 {
     static _Alignas(WF_POOL_ALIGN) unsigned char room[65536];
     wfBodyState state[2] = { { .p = wfV2(0, 0) }, { .p = wfV2(1, 0), .invMass = 1, .invInertia = 1 } };

@@ -2,8 +2,7 @@
 /* A pendulum of 1 m keeps its length, and a body takes its joint along when it goes. */
 #include "part.h"
 
-int part_joints(void);
-int part_joints(void)
+PART(joints)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* Sorted by a key, equal keys keep their order; the middle one is found without sorting. */
 #include "part.h"
 
-int part_keyed(void);
-int part_keyed(void)
+PART(keyed)
 {
     wfKeyed a[5] = { { 3, 0 }, { 1, 1 }, { 2, 2 }, { 1, 3 }, { 0, 4 } }, b[5], spare[5];
     for (int i = 0; i < 5; i++) b[i] = a[i];

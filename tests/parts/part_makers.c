@@ -4,8 +4,7 @@
 #include "weft/chain.h"
 #include "weft/spring.h"
 
-int part_makers(void);
-int part_makers(void)
+PART(makers)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

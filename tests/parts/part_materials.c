@@ -2,8 +2,7 @@
 /* What is known of a pair of materials is kept. */
 #include "part.h"
 
-int part_materials(void);
-int part_materials(void)
+PART(materials)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* Half of a box that is half as dense as water is under water when it has come to rest. */
 #include "part.h"
 
-int part_more_forces(void);
-int part_more_forces(void)
+PART(more_forces)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* Two wheels on axles, tied by a gear of 2: when one turns at 2 rad/s, the other turns at 1, the other way. */
 #include "part.h"
 
-int part_more_joints(void);
-int part_more_joints(void)
+PART(more_joints)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* Who is under the mouse is grabbed, and comes along when the hand is dragged. */
 #include "part.h"
 
-int part_mouse(void);
-int part_mouse(void)
+PART(mouse)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

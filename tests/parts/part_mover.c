@@ -3,8 +3,7 @@
 #include "part.h"
 #include "weft/mover.h"
 
-int part_mover(void);
-int part_mover(void)
+PART(mover)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* A world that was made without shapes refuses a body that has one, and is as it was; a particle is welcome. */
 #include "part.h"
 
-int part_needs(void);
-int part_needs(void)
+PART(needs)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

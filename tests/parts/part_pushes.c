@@ -2,8 +2,7 @@
 /* A kick of 3 N s gives a kilogram 3 m/s; a force of 6 N for a step gives it 6 h. */
 #include "part.h"
 
-int part_pushes(void);
-int part_pushes(void)
+PART(pushes)
 {
     wfWorld world;
     wfBodyDef body = part_particle(0, 0);

@@ -2,8 +2,7 @@
 /* A ray from the left meets the left side of a box. */
 #include "part.h"
 
-int part_queries(void);
-int part_queries(void)
+PART(queries)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* What is used again of a manifold is used again: no pair of a box at rest is measured anew, and the box stays where it is. */
 #include "part.h"
 
-int part_reuse(void);
-int part_reuse(void)
+PART(reuse)
 {
     wfShape a, b;
     wfSeparation s;

@@ -2,8 +2,7 @@
 /* What spins goes on spinning, and full turns are taken off. */
 #include "part.h"
 
-int part_rotation(void);
-int part_rotation(void)
+PART(rotation)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

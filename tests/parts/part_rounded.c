@@ -2,8 +2,7 @@
 /* A capsule weighs a rectangle and two half discs; a coat needs the part, and is refused where it should not be. */
 #include "part.h"
 
-int part_rounded(void);
-int part_rounded(void)
+PART(rounded)
 {
     wfShape s;
     OK(wfMakeCapsule(wfV2(-1, 0), wfV2(1, 0), WF_R(0.5), &s));

@@ -5,8 +5,7 @@
 
 static unsigned char bytes[1 << 24];
 
-int part_save(void);
-int part_save(void)
+PART(save)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

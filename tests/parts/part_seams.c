@@ -2,8 +2,7 @@
 /* A disc that rolls from a tile to the next keeps its speed. */
 #include "part.h"
 
-int part_seams(void);
-int part_seams(void)
+PART(seams)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfBodyDef tile = wfDefaultBodyDef(), disc = wfDefaultBodyDef();

@@ -2,8 +2,7 @@
 /* A ball falls through a sensor, which notices it and does not stop it. */
 #include "part.h"
 
-int part_sensors(void);
-int part_sensors(void)
+PART(sensors)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* Gravity is turned off while something falls: from then on it goes straight on. */
 #include "part.h"
 
-int part_settings(void);
-int part_settings(void)
+PART(settings)
 {
     wfWorldDef def = wfDefaultWorldDef(), is;
     wfWorld world;

@@ -2,8 +2,7 @@
 /* A box of 2 m by 4 m at 3 kg/m^2: 24 kg, and m (w^2 + h^2) / 12. */
 #include "part.h"
 
-int part_shapes(void);
-int part_shapes(void)
+PART(shapes)
 {
     wfShape box;
     wfMassData mass;

@@ -2,8 +2,7 @@
 /* A box on the floor falls asleep, and wakes when it is moved. */
 #include "part.h"
 
-int part_sleep(void);
-int part_sleep(void)
+PART(sleep)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -2,8 +2,7 @@
 /* A falling particle's curve has points, and a loose tolerance is met. */
 #include "part.h"
 
-int part_tolerance(void);
-int part_tolerance(void)
+PART(tolerance)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

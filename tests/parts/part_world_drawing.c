@@ -9,8 +9,7 @@ static void count_corners(void *context, wfShapeId id, const wfVec2 *outline, in
     *(int32_t *)context += count;
 }
 
-int part_world_drawing(void);
-int part_world_drawing(void)
+PART(world_drawing)
 {
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld world;

@@ -99,7 +99,7 @@ static bool play_row(char *line, char name[64], play *p)
     float scale;
     char *script = strchr(line, '|');
     if (line[0] == '#' || !script || sscanf(line, "%63s %d %d %f", name, &width, &height, &scale) != 4) return false;
-    play_begin(p, (int)((float)width * scale), (int)((float)height * scale), scale);
+    *p = play_open((int)((float)width * scale), (int)((float)height * scale), scale);
     char whole[MOST_SCRIPT] = "";                   /* words before clicks go in one piece: an input script keeps what it said */
     for (char *part = strtok(script + 1, ";"); part; part = strtok(NULL, ";")) {
         while (*part == ' ') part++;

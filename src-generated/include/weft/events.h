@@ -33,11 +33,11 @@ typedef struct wfPairHit {
     wfVec2 normal;     /* unit, world, from a to b */
     wfReal speed;      /* m/s, along the normal: how fast they approach there, > 0 */
 } wfPairHit;
+
 /* Do two shapes count as touching?  Those that did go on until their distance (m, below 0:
    how deep they overlap) is more than the margin; others must meet.
    eq:queries-hysteresis */
 bool wfTouchesNow(bool before, wfReal distance, wfReal margin);
-
 /* How fast two surfaces approach at a point of contact, m/s; below 0: they part.
    eq:queries-speed.  Trusts its pointer. */
 static WF_ONE_COPY wfReal wfApproachSpeed(const wfContactPoint *p, wfVec2 normal, wfTwist a,

@@ -86,12 +86,12 @@ typedef struct wfInput {
     union {
         struct { wfVec2 at, by; wfReal x, y; int32_t number; } with;
         wfBodyDef body;
-        uint64_t userData;
         wfShapeDef shape;
         wfForce force;
         wfJoint joint;
         wfPairMaterial pair;
         wfGlobalPoint global;
+        uint64_t userData;
     };
 } wfInput;
 typedef struct wfInputId { uint32_t index, generation; } wfInputId;
