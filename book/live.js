@@ -191,6 +191,8 @@
     reach();
   };
 
+  const brought = {}, bring = src => { if (!brought[src]) document.head.append(brought[src] = Object.assign(document.createElement('script'), { src: here + src })); };
+
   // -- simulations: the whole testbed on a canvas; each has a memory of its own, and few may run at once
   const running = [], MOST_TOLD = 3600;
   const keyOf = e => ({ Backspace: 8, Tab: 9, Enter: 13, Escape: 27, ' ': 32, Delete: 127, ArrowLeft: 128, ArrowRight: 129, ArrowUp: 130, ArrowDown: 131,
@@ -384,6 +386,7 @@
     new ResizeObserver(wakeUp).observe(canvas);
     new MutationObserver(wakeUp).observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
     canvas.game = game;
+    if (navigator.maxTouchPoints) bring('fingers.js');
     return game;
   };
   const makeScene = figure => {
@@ -453,7 +456,7 @@
         if (matchMedia('(prefers-reduced-motion: reduce)').matches) game.key(112);      // it begins paused
         game.run();
         whole.focus();
-        for (const src of ['spoken.js', 'address.js']) document.head.append(Object.assign(document.createElement('script'), { src: here + src }));
+        ['spoken.js', 'address.js'].forEach(bring);
       });
     }
   };
