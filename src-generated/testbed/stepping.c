@@ -184,7 +184,7 @@ void game_step_world(game *g)
             return;
         }
         end_step(g, def.timeStep);
-        if (replays && s->tape == TAPE_DONE) return;    /* its last step, and not one more */
+        if (replays && s->tape == TAPE_DONE) return;    /* not one step more */
         if (!(g->input->held & GAME_BUTTON_LEFT) && !replays) s->held = (wfBodyId){ 0 };
     }
 }
