@@ -237,6 +237,7 @@
     };
     const more = () => rest || (rest = log ? complete() : Promise.resolve());
     const open = name => act(x => x.web_open(put(x, x.web_name(), name)));
+    act(x => x.web_bring());
     if (scene) open(scene);
     // the game's card: 1 keep, 2 fetch, 3 hand to the reader; a simulation within a chapter is refused
     const keep = (name, bytes) => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); localStorage.setItem(name, btoa(t)); };
@@ -303,6 +304,7 @@
         if (fits) new Uint8Array(x.memory.buffer, x.web_came_info(), info.length).set(info);
         x.web_came(fits ? world.length : 0);
       });
+      if (world.length) open(name);
     };
     const tick = now => {
       if (!on) return;

@@ -25,7 +25,7 @@ FONTCC = $(WEBCC) $(FLAGS)
 ENGINE := $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)))
 GAME := $(sort $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c %/reload.c %/system.c,$(wildcard $(SRC)/testbed/*.c)))
 object = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(1))
-TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/gen/font_atlas.o
+TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_files_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/gen/font_atlas.o
 FIGURES := $(call object,$(ENGINE) $(GAME) $(SRC)/testbed/web_print_main.c $(SRC)/figures/kit.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c) $(OUT)/gen/font_atlas.o
 
 # -- the pages that show a figure which can be dragged or moves: those of the chapters that name it
@@ -48,7 +48,7 @@ include tangle/font.mk
 name_of = sed -n 's/^ *"name": "\([^"]*\)",$$/\1/p' $$f | head -1
 $(OUT)/gen/files.h: tangle/web.mk $(FILES)
 	@mkdir -p $(@D); { echo '/* made by tangle/web.mk */'; for f in $(if $(HAVE_CJSON),$(FILES)); do printf 'FILE_SCENE("%s")\n' "$$($(name_of))"; done; } > $@
-$(OUT)/obj/testbed/web_main.o: $(OUT)/gen/files.h
+$(OUT)/obj/testbed/web_files_main.o: $(OUT)/gen/files.h
 READER := $(patsubst %,$(OUT)/obj/reader/%.o,$(notdir $(basename $(wildcard $(SRC)/json/*.c))) memory json_main cJSON)
 $(OUT)/obj/reader/%.o: tangle/web.mk
 	@mkdir -p $(@D); $(WEBCC) $(filter-out -DWF_NO_JSON,$(FLAGS)) -isystem $(CJSON_SRC) -MMD -MP -c $(firstword $(wildcard $(SRC)/json/$*.c $(SRC)/core/$*.c $(SRC)/testbed/$*.c $(CJSON_SRC)/cjson/$*.c)) -o $@

@@ -48,7 +48,7 @@ const fingers = x => {
 };
 // each: a name, and what is done to a fresh instance's exports
 export const visits = () => [
-  ['the testbed', x => { frames(x, 300); described(x); }],
+  ['the testbed', x => { x.web_bring(); frames(x, 300); described(x); }],
   ['a phone, by night', x => { frames(x, 30, 840, 1600, 2); x.web_key(100); frames(x, 30, 840, 1600, 2); described(x); }],
   ['a hand', hand],
   ['fingers', fingers],
