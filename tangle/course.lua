@@ -888,30 +888,62 @@ function commands.passed(id, name)
   os.exit(status == "ok" and 0 or 1)
 end
 function commands.assignment(to, ids)       -- what a class gets beside the book's tree
-  local t, tests = {}, {}
+  local t, tests, runners, results = {}, {}, {}, {}
+  os.execute("mkdir -p " .. quote(to .. "/coursework/me") .. " " .. quote(to .. "/.github/workflows"))
   for _, e in ipairs(chosen(with_names(exercises()), ids)) do
-    t[#t + 1] = string.format("| %s | %s | %s | %d | `coursework/me/%s.nw` |", e.number, e.name_of, points_text(e.points), e.minutes, e.base)
+    t[#t + 1] = string.format("| %s | %s | %s | %d | `coursework/me/%s.nw` |\n", e.number, e.name_of, points_text(e.points), e.minutes, e.base)
     for _, c in ipairs(criteria_of(e.base)) do
-      tests[#tests + 1] = string.format('    { "name": %s, "setup": "", "run": %s, "input": "", "output": "", "comparison": "included", "timeout": 10, "points": %s }', json_string(e.number .. " " .. c.text),
-        json_string("cd teacher && tangle/course passed " .. e.number .. " " .. c.name), points_text(c.points))
+      local id = "c" .. #runners + 1
+      runners[#runners + 1] = id
+      results[#results + 1] = string.format("          %s_RESULTS: '${{ steps.%s.outputs.result }}'\n", id:upper(), id)
+      tests[#tests + 1] = string.format("      - id: %s\n        uses: classroom-resources/autograding-command-grader@v1\n        with:\n          test-name: %s\n          command: %s\n          max-score: %s\n", id,
+        json_string(e.number .. " " .. c.text), json_string("teacher/tangle/course passed " .. e.base .. " " .. c.name), points_text(c.points))
     end
-    os.execute("mkdir -p " .. quote(to .. "/coursework/me"))
     write(to .. "/coursework/me/" .. e.base .. ".nw", read(starter_file(e.base)))
   end
-  os.execute("mkdir -p " .. quote(to .. "/.github/classroom") .. " " .. quote(to .. "/.github/workflows"))
-  write(to .. "/ASSIGNMENT.md", "# Assignment\n\n| exercise | | points | minutes | write in |\n|---|---|---|---|---|\n" .. table.concat(t, "\n") ..
-    "\n\nRead the appendix on coursework (`chapters/engine/E-coursework.nw`), then:\n\n    tangle/install check          # once: what is missing, and the command that installs it\n    make try E=" ..
+  write(to .. "/ASSIGNMENT.md", "# Assignment\n\n| exercise | | points | minutes | write in |\n|---|---|---|---|---|\n" .. table.concat(t) ..
+    "\nRead the appendix on coursework (`chapters/engine/E-coursework.nw`), then:\n\n    tangle/install check          # once: what is missing, and the command that installs it\n    make try E=" ..
     ids:match("[^%s,]+") .. "            # builds and tests one exercise, and says what failed and where\n    make grade                  # all of them, with points\n\nHand in by committing `coursework/me/`.\n")
-  write(to .. "/.github/classroom/autograding.json", '{\n  "tests": [\n' .. table.concat(tests, ",\n") .. "\n  ]\n}\n")
-  local install = "sudo apt-get update && sudo apt-get install -y --no-install-recommends gcc make noweb lua5.4 pkg-config libcjson-dev libstb-dev fonts-dejavu-core gnuplot-nox"
-  -- both take the grader, the tests and the starters from the teacher's repository (named in the variable WEFT_TEACHER), and from the student his
-  -- files alone: what else was changed in his repository is not there
-  write(to .. "/.github/workflows/classroom.yml", "name: Grade\non: [push, workflow_dispatch]\npermissions: { checks: write, actions: read, contents: read }\njobs:\n  grade:\n    runs-on: ubuntu-latest\n    steps:\n" ..
-    "      - uses: actions/checkout@v4\n        with: { path: student }\n      - uses: actions/checkout@v4\n        with: { path: teacher, repository: '${{ vars.WEFT_TEACHER }}', token: '${{ secrets.WEFT_TOKEN }}' }\n" ..
-    "      - run: " .. install .. "\n      - run: teacher/tangle/course from student\n      - run: mkdir -p .github && cp -r student/.github/classroom .github/\n      - uses: education/autograding@v1\n      - uses: actions/upload-artifact@v4\n" ..
-    "        if: always()\n        with: { name: grade, path: teacher/build/course/me/grade.* }\n")
-  write(to .. "/.gitlab-ci.yml", "grade:\n  image: debian:stable-slim\n  variables: { GIT_STRATEGY: clone }\n  script:\n    - " .. install:gsub("sudo ", "") .. " git\n    - git clone --depth 1 \"$WEFT_TEACHER\" teacher\n    - teacher/tangle/course from .\n" ..
-    "  artifacts:\n    when: always\n    paths: [teacher/build/course/me/grade.json]\n    reports:\n      junit: teacher/build/course/me/grade.xml\n")
+  -- Both take the grader, the tests and the starters from the teacher's repository (named in the variable WEFT_TEACHER), and from the student's
+  -- the files of coursework/me alone. tests/course/ci.sh runs them.
+  local fill = { INSTALL = "apt-get update && SUDO apt-get install -y --no-install-recommends gcc libc6-dev make noweb lua5.4 pkg-config libcjson-dev libstb-dev fonts-dejavu-core gnuplot-nox",
+    TESTS = table.concat(tests), RESULTS = table.concat(results), RUNNERS = table.concat(runners, ",") }
+  local function filled(text, sudo) return (text:gsub("%f[%u]%u+%f[^%u_]", fill):gsub("SUDO ", sudo)) end
+  write(to .. "/.github/workflows/classroom.yml", filled([[
+name: Grade
+on: [push, workflow_dispatch]
+permissions: { checks: write, actions: read, contents: read }
+jobs:
+  grade:
+    runs-on: ubuntu-latest
+    steps:
+      - uses: actions/checkout@v4
+        with: { path: student }
+      - uses: actions/checkout@v4
+        with: { path: teacher, repository: '${{ vars.WEFT_TEACHER }}', token: '${{ secrets.WEFT_TOKEN }}' }
+      - run: SUDO INSTALL
+      - run: teacher/tangle/course from student
+TESTS      - uses: classroom-resources/autograding-grading-reporter@v1
+        env:
+RESULTS        with: { runners: 'RUNNERS' }
+      - uses: actions/upload-artifact@v4
+        if: always()
+        with: { name: grade, path: teacher/build/course/me/grade.* }
+]], "sudo "))
+  write(to .. "/.gitlab-ci.yml", filled([[
+grade:
+  image: debian:stable-slim
+  variables: { GIT_STRATEGY: clone }
+  script:
+    - INSTALL git ca-certificates
+    - rm -rf teacher && git clone --depth 1 "$WEFT_TEACHER" teacher
+    - teacher/tangle/course from .
+  artifacts:
+    when: always
+    paths: [teacher/build/course/me/grade.json]
+    reports:
+      junit: teacher/build/course/me/grade.xml
+]], ""))
 end
 function commands.composed(base, to) write(to, (Course.compose(base))) end
 function commands.tests(base)              -- both of an exercise's test objects, so that they are there in a room

@@ -11,6 +11,18 @@ bad=0
 $M book slides STRICT=1 || exit 1                   # nothing, behind the step book
 $lua tests/volumes/volumes.lua build tests/volumes/pages "$@" || bad=1
 [ $# -eq 0 ] || exit $bad
+# that check itself: what is wrong with the weeks is told
+broken() {      # an edit of what was woven, what is told
+  local w=build/check/weeks
+  rm -rf $w; mkdir -p $w/weave; ln -s "$PWD"/build/book "$PWD"/build/tex $w/; ln -s "$PWD"/build/weave/formulas-*.tex $w/weave/
+  printf 'local db = assert(loadfile("build/weave/db.lua"))()\n%s\nreturn db\n' "$1" > $w/weave/db.lua
+  $lua tests/volumes/volumes.lua $w tests/volumes/pages > $w/log && { echo "FAIL  a week passes that should not: $2"; bad=1; }
+  grep -qE "^FAIL  $2" $w/log || { grep ^FAIL $w/log; echo "FAIL  not told: $2"; bad=1; }
+}
+broken 'table.move(db.weeks[2].spans, 1, 9, #db.weeks[1].spans + 1, db.weeks[1].spans)' 'week 1 reads [0-9.]+ pages, more than 40'
+broken 'db.weeks[3].spans = {}' 'week 3 reads 0.0 pages'
+broken 'table.remove(db.weeks)' 'the course has 11 weeks, not 12'
+broken 'db.weeks[4].spans[1][1] = "sec:nowhere"' 'week 4: sec:nowhere or .* is not in engine.pdf'
 bash tests/volumes/weeks.sh || bad=1
 # the same measured in a PDF: at three times its size no letter of code is below 22 (7.6 pt, cut to a whole number)
 least=$(pdftohtml -xml -i -zoom 3 -stdout build/book/engine.pdf 2>/dev/null | sed -nE 's/.*<fontspec[^>]* size="([0-9]+)" family="([A-Z]+\+)?JetBrains.*/\1/p' | sort -n | head -1)

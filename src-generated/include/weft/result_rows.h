@@ -9,7 +9,7 @@ WF_RESULT(WF_ERROR_NOT_FINITE,
           "a number is NaN or infinite: look for a division by zero before the call")
 WF_RESULT(WF_ERROR_RANGE,
           "a number is outside its allowed range: the function's comment states it")
-WF_RESULT(WF_ERROR_FULL, "a pool or a list is full: ask for more capacity at creation")
+WF_RESULT(WF_ERROR_FULL, "no room is left: create the world or pool with more of it")
 WF_RESULT(WF_ERROR_MEMORY,
           "memory is missing, too small or misaligned: see wfPoolInit, wfAllocateMemory")
 WF_RESULT(WF_ERROR_STALE_ID, "an id names something that was removed or never existed")
