@@ -191,6 +191,15 @@
     reach();
   };
 
+  // A scene in a file is read by a module of its own (chapter 27), and comes as a saved world and a record of what the file says of itself.
+  const readScene = async name => {
+    const { x } = await instance('json'), text = atob(window.WEFT_FILES[name]);
+    new Uint8Array(x.memory.buffer, x.json_text(), text.length).set(Uint8Array.from(text, c => c.charCodeAt(0)));
+    const size = x.json_read(text.length), part = (at, n) => new Uint8Array(x.memory.buffer, at, n).slice();
+    return [part(x.json_bytes(), size), part(x.json_info(), x.json_info_size())];
+  };
+  const brought = {}, bring = src => { if (!brought[src]) document.head.append(brought[src] = Object.assign(document.createElement('script'), { src: here + src })); };
+
   // -- simulations: the whole testbed on a canvas; each has a memory of its own, and few may run at once
   const running = [], MOST_TOLD = 3600;
   const keyOf = e => ({ Backspace: 8, Tab: 9, Enter: 13, Escape: 27, ' ': 32, Delete: 127, ArrowLeft: 128, ArrowRight: 129, ArrowUp: 130, ArrowDown: 131,
@@ -201,7 +210,7 @@
     let last = 0, on = false, dark = null, touches = new Map(), pinch = null, finger = matchMedia('(pointer: coarse)').matches, looks = '', letters = null;
     // All that crosses into the module goes through act. Until the rest has come it is written down: a call that was broken off
     // by a function that is missing leaves a memory of no use, so the game is begun anew and the whole story told again, unseen.
-    let idle = false, waits = false, inside = false, frames = 0;
+    let idle = false, waits = false, inside = false, reading = false, frames = 0;
     const wakeUp = () => { idle = false; if (waits && on) { waits = false; last = 0; requestAnimationFrame(tick); } };
     const act = (f, unseen = f) => {
       if (!inside) wakeUp();
@@ -228,6 +237,7 @@
     };
     const more = () => rest || (rest = log ? complete() : Promise.resolve());
     const open = name => act(x => x.web_open(put(x, x.web_name(), name)));
+    act(x => x.web_bring());
     if (scene) open(scene);
     // the game's card: 1 keep, 2 fetch, 3 hand to the reader; a simulation within a chapter is refused
     const keep = (name, bytes) => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); localStorage.setItem(name, btoa(t)); };
@@ -246,7 +256,7 @@
     const grant = night => {
       const wish = stuck ? 0 : x.web_wish();
       if (!wish) return;
-      const letters = new Uint8Array(x.memory.buffer, x.web_file_name(), 40), name = words.decode(letters.slice(0, letters.indexOf(0)));
+      const name = word(x.web_file_name());
       const bytes = new Uint8Array(x.memory.buffer, x.web_file_bytes(), x.web_file_size()).slice();
       let came = null;
       try {
@@ -279,6 +289,22 @@
       if (canvas.style.cursor !== cursor) canvas.style.cursor = cursor;
       pen.putImageData(new ImageData(new Uint8ClampedArray(x.memory.buffer, at, 4 * w * h), w, h), 0, 0);
       grant(night);
+      const wanted = reading || stuck ? 0 : x.web_wanted();
+      if (wanted) read(word(wanted));
+    };
+    const word = at => { const letters = new Uint8Array(x.memory.buffer, at, 40); return words.decode(letters.slice(0, letters.indexOf(0))); };
+    const read = async name => {
+      reading = true;
+      const [world, info] = await readScene(name).catch(() => [[], []]);
+      reading = false;
+      if (word(x.web_wanted()) !== name) return;       // another one is wanted by now
+      act(x => {
+        const fits = world.length <= x.web_came_room();
+        if (fits) new Uint8Array(x.memory.buffer, x.web_came_bytes(), world.length).set(world);
+        if (fits) new Uint8Array(x.memory.buffer, x.web_came_info(), info.length).set(info);
+        x.web_came(fits ? world.length : 0);
+      });
+      if (world.length) open(name);
     };
     const tick = now => {
       if (!on) return;
@@ -384,6 +410,7 @@
     new ResizeObserver(wakeUp).observe(canvas);
     new MutationObserver(wakeUp).observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
     canvas.game = game;
+    if (navigator.maxTouchPoints) bring('fingers.js');
     return game;
   };
   const makeScene = figure => {
@@ -453,7 +480,7 @@
         if (matchMedia('(prefers-reduced-motion: reduce)').matches) game.key(112);      // it begins paused
         game.run();
         whole.focus();
-        for (const src of ['spoken.js', 'address.js']) document.head.append(Object.assign(document.createElement('script'), { src: here + src }));
+        ['spoken.js', 'address.js'].forEach(bring);
       });
     }
   };

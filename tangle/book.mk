@@ -42,7 +42,7 @@ html pdf:
 	[ -n "$$file" ] || { echo "book: no chapter $(PAGE) -- PAGE=60, PAGE=leapfrog or its file, with EXTRA= where it lives elsewhere" >&2; exit 2; }; \
 	BUILD=$(BUILD) TEACHER=$(TEACHER) tangle/preview "$$file" $(BUILD)/page $@
 else ifeq ($(CHOSEN),)
-html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/glossary.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
+html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/glossary.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js $(HTML)/fingers.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
 endif
 $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/contents.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
@@ -55,7 +55,7 @@ slides: html $(SLIDES)
 	@echo "slides: $(HTML)/slides-1.html to slides-12.html (blank, arrows; the browser prints them as a PDF)"
 $(HTML)/book.css $(HTML)/book.js $(HTML)/testbed.html: $(HTML)/%: book/%
 	@mkdir -p $(@D); cp $< $@
-$(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js: $(HTML)/%: book/% tangle/bare
+$(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js $(HTML)/fingers.js: $(HTML)/%: book/% tangle/bare
 	@mkdir -p $(@D); tangle/bare $< > $@
 
 # -- the gallery: every scene, drawn by the program that the figures' tree makes

@@ -13,8 +13,11 @@ WEBLD ?= $(firstword $(foreach c,wasm-ld wasm-ld-19 wasm-ld-18 wasm-ld-17 wasm-l
 SPLIT ?= $(shell command -v wasm-split)
 SYSROOT ?= /usr
 RT := $(firstword $(wildcard $(shell $(WEBCC) -print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a))
+FILES := $(filter-out %.schema.json,$(wildcard testbed/scenes/*.json))
+CJSON_SRC ?= build/cjson
+HAVE_CJSON := $(shell [ -d $(CJSON_SRC) ] || tangle/cjson $(CJSON_SRC) >&2; ls $(CJSON_SRC)/cjson/cJSON.c 2>/dev/null)
 FLAGS = --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=off -fno-math-errno -mbulk-memory -mnontrapping-fptoint \
-         -flto -ffunction-sections -fdata-sections -DNDEBUG -DWF_ENGINE -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -idirafter $(STB)
+         -flto -ffunction-sections -fdata-sections -DNDEBUG -DWF_ENGINE -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -I$(OUT) -idirafter $(STB)
 LINK = $(WEBLD) --no-entry --gc-sections --lto-O2 -mllvm --enable-merge-functions -L$(SYSROOT)/lib/wasm32-wasi
 FONT_SIZES := 13 26
 FONT_FLAGS := --ascii
@@ -22,7 +25,7 @@ FONTCC = $(WEBCC) $(FLAGS)
 ENGINE := $(sort $(foreach d,core math collision dynamics engine,$(wildcard $(SRC)/$(d)/*.c)))
 GAME := $(sort $(filter-out %_main.c %/svg_file.c %/layer.c %/script.c %/reload.c %/system.c,$(wildcard $(SRC)/testbed/*.c)))
 object = $(patsubst $(SRC)/%.c,$(OUT)/obj/%.o,$(1))
-TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/gen/font_atlas.o
+TESTBED := $(OUT)/obj/bare/memory.o $(call object,$(filter-out %/core/memory.c,$(ENGINE)) $(GAME) $(SRC)/testbed/web_main.c $(SRC)/testbed/web_files_main.c $(SRC)/testbed/web_print_main.c) $(OUT)/gen/font_atlas.o
 FIGURES := $(call object,$(ENGINE) $(GAME) $(SRC)/testbed/web_print_main.c $(SRC)/figures/kit.c $(SRC)/lab/taste.c $(SRC)/lab/live_main.c) $(OUT)/gen/font_atlas.o
 
 # -- the pages that show a figure which can be dragged or moves: those of the chapters that name it
@@ -30,7 +33,7 @@ LIVE ?= build/weave/live.list
 PAGES := $(shell tangle/figures-of --pages $(LIVE) $(NW))
 
 .PHONY: web
-web: $(OUT)/live-testbed.js $(PAGES:%=$(OUT)/live-figures-%.js)
+web: $(OUT)/live-testbed.js $(if $(HAVE_CJSON),$(OUT)/live-json.js) $(PAGES:%=$(OUT)/live-figures-%.js)
 	@rm -f $(filter-out $^ $(if $(SPLIT),%-rest.js),$(wildcard $(OUT)/live-*.js))
 .DELETE_ON_ERROR:
 $(OUT)/obj/%.o: $(SRC)/%.c tangle/web.mk
@@ -38,6 +41,23 @@ $(OUT)/obj/%.o: $(SRC)/%.c tangle/web.mk
 $(OUT)/obj/bare/memory.o: $(SRC)/core/memory.c tangle/web.mk
 	@mkdir -p $(@D); $(WEBCC) $(FLAGS) -DWF_FREESTANDING -c $< -o $@
 include tangle/font.mk
+
+# Scenes that are files: their names (each one's line "name") for the list; and their reader, a module of its own with cJSON from Debian's source (tangle/cjson), and their texts.
+# Without that source the page's list has none; rm -r build/cjson, and it is asked for again. (Of libc's files the reader's module names three
+# functions, for a library that could print; none is ever called.)
+name_of = sed -n 's/^ *"name": "\([^"]*\)",$$/\1/p' $$f | head -1
+$(OUT)/gen/files.h: tangle/web.mk $(FILES)
+	@mkdir -p $(@D); { echo '/* made by tangle/web.mk */'; for f in $(if $(HAVE_CJSON),$(FILES)); do printf 'FILE_SCENE("%s")\n' "$$($(name_of))"; done; } > $@
+$(OUT)/obj/testbed/web_files_main.o: $(OUT)/gen/files.h
+READER := $(patsubst %,$(OUT)/obj/reader/%.o,$(notdir $(basename $(wildcard $(SRC)/json/*.c))) memory json_main cJSON)
+$(OUT)/obj/reader/%.o: tangle/web.mk
+	@mkdir -p $(@D); $(WEBCC) $(filter-out -DWF_NO_JSON,$(FLAGS)) -isystem $(CJSON_SRC) -MMD -MP -c $(firstword $(wildcard $(SRC)/json/$*.c $(SRC)/core/$*.c $(SRC)/testbed/$*.c $(CJSON_SRC)/cjson/$*.c)) -o $@
+$(OUT)/json.wasm: $(READER) $(filter-out %/core/memory.o,$(call object,$(ENGINE))) $(OUT)/obj/testbed/web_print_main.o
+	@$(LINK) --strip-all $^ -lc $(RT) -o $@
+$(OUT)/live-json.js: $(OUT)/json.wasm.lzma $(FILES)
+	@{ printf 'WEFT_FILES={'; for f in $(FILES); do printf '"%s":"%s",' "$$($(name_of))" "$$(base64 -w0 $$f)"; done; \
+	   printf '};\nWEFT_LIVE("json",%d,"' $$(wc -c < $(OUT)/json.wasm); base64 -w0 $<; printf '");\n'; } > $@
+	@echo "web: json: $$(wc -c < $(OUT)/json.wasm) bytes, $$(wc -c < $<) packed"
 
 # What nothing exported needs is left out: a page's figures bring neither rasteriser nor letters, and of the engine what they call.
 # A page has files of its chapters' figures, cut down to those that it shows (gen/PAGE/figures), and a table of these files.

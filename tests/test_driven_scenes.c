@@ -540,6 +540,8 @@ TEST(a_tape_of_a_drive_replays_to_the_last_bit)
     must(at > -5, "it was not driven");
     play_run(&p, "key k\nframe\nsteps 1\nwait 120\n");
     must(strncmp(play_line(&p, "hash"), hash, 21) == 0, "the replay ends at %g, the drive at %g\n%s", play_fact(&p, "body 0 x", 0), at, p.text);
+    play_run(&p, "steps 0\nkey k\nhold left\nframe\nsteps 7\nwait 20\n");      /* the last frame has room for more steps: none is made */
+    must(strncmp(play_line(&p, "hash"), hash, 21) == 0, "seven steps a frame: the replay ends at %g, the drive at %g", play_fact(&p, "body 0 x", 0), at);
     play_end(&p);
 }
 
@@ -550,11 +552,18 @@ TEST(a_finger_drives_on_a_telephone)
     play_run(&p, "finger 1\nsteps 0\nscene race-car\nframe\nframe\n");
     double x = play_fact(&p, "widget gas pixel", 0), y = play_fact(&p, "widget gas pixel", 1);
     must(x > 0 && x < 390 && y > 500 && y < 844, "the button is at %g, %g", x, y);
+    const double row[] = { play_fact(&p, "controls", 2), play_fact(&p, "controls", 3), play_fact(&p, "controls", 4), play_fact(&p, "controls", 5), play_fact(&p, "controls", 6) };
+    must(play_fact(&p, "controls", 0) == UP + DOWN + LEFT + RIGHT, "the page is told of controls %g", play_fact(&p, "controls", 0));
+    must(fabs(row[0] + 2 * (row[2] + row[4]) + row[2] / 2 - x) < 1 && y > row[1] && y < row[1] + row[3], "the page is told of another row of buttons");
     double brake = play_fact(&p, "widget brake pixel", 0);
     snprintf(script, sizeof script, "finger 1\nmove %g %g\ndown left\nsteps 1\nwait 60\n", x, y);
     play_run(&p, script);
     double gone = play_fact(&p, "body 0 x", 0);
     must(gone > 1, "a finger on gas: %g m", gone);
+    must(play_fact(&p, "controls", 1) == UP, "held: %g", play_fact(&p, "controls", 1));
+    snprintf(script, sizeof script, "up left\nsteps 0\nframe\nmove %g %g\ndown left\nframe\nup left\nframe\nframe\n", play_fact(&p, "widget List pixel", 0), play_fact(&p, "widget List pixel", 1));
+    play_run(&p, script);
+    must(play_fact(&p, "list", 0) == 1 && play_fact(&p, "controls", 0) == 0, "buttons under a drawer");
     play_end(&p);
     /* It slides on to the brake: 2 m/s are gone after half a second. */
     p = play_open(390, 844, 1);

@@ -95,7 +95,8 @@ static void find_hover(game *g, bool over)
                (wfBodyId){ 0, 0 };
 }
 
-/* A right button that went down and up in one place, a finger that rests. */
+/* A right button that went down and up in one place, a finger that rests while no other
+   drives. */
 static void ask_for_menu(game *g, bool over)
 {
     game_state *s = g->state;
@@ -104,7 +105,7 @@ static void ask_for_menu(game *g, bool over)
     if (in->pressed) s->asked_x = in->mouse_x, s->asked_y = in->mouse_y, s->rest = 0;
     bool strayed = !in->pressed && x * x + y * y > 36 * s->scale * s->scale;
     s->rest = strayed || !in->held ? -1 : s->rest < 0 ? -1 : s->rest + in->seconds;
-    bool rested = s->finger && s->tools.tool == 0 && s->rest > 0.6;
+    bool rested = s->finger && s->tools.tool == 0 && s->rest > 0.6 && !in->keys_held;
     bool clicked = (in->released & GAME_BUTTON_RIGHT) && !strayed;
     if (over || s->menu || !(rested || clicked)) return;
     s->rest = -1;
@@ -221,19 +222,43 @@ static void control_button(ui *u, game *g, int i, float x, float y, float w)
         s->grasped = 1 + i;
 }
 
+/* Where the buttons are, units: the first one's corner and their width; and whose. */
+typedef struct control_row { uint32_t all; float x, y, w; } control_row;
+
+static control_row row_of_controls(const game *g)
+{
+    const game_state *s = g->state;
+    control_row r = { .y = s->height - CONTROL_HIGH - 4 - (s->bare ? 0 : FOOT + TIME_BAR) };
+    float left = game_list_side(s) + 8, room = s->width - game_beside(s) - left - 8, n = 0;
+    for (int i = 0; i < WF_CONTROLS; i++)
+        if (g->scene->controls[i]) r.all |= 1u << i, n++;
+    r.w = n > 0 ? (room + CONTROL_GAP) / n - CONTROL_GAP : 0;
+    if (r.w > CONTROL_WIDE) r.w = CONTROL_WIDE;
+    r.x = left + (room + CONTROL_GAP - n * (r.w + CONTROL_GAP)) / 2;
+    return r;
+}
+
 void game_controls(ui *u, game *g)
 {
     game_state *s = g->state;
-    int count = 0, k = 0;
-    for (int i = 0; i < WF_CONTROLS; i++) count += g->scene->controls[i] != NULL;
-    float left = game_list_side(s) + 8, room = s->width - game_beside(s) - left - 8;
-    float w = count ? (room + 6) / (float)count - 6 : 0;
-    if (w > CONTROL_WIDE) w = CONTROL_WIDE;
-    float x = left + (room + 6 - (float)count * (w + 6)) / 2;
-    float y = s->height - CONTROL_HIGH - 4 - (s->bare ? 0 : FOOT + TIME_BAR);
-    if (!u->draw && (!u->held || !count)) s->grasped = 0;
-    for (int i = 0; i < WF_CONTROLS; i++)
-        if (g->scene->controls[i]) control_button(u, g, i, x + (float)k++ * (w + 6), y, w);
+    control_row r = row_of_controls(g);
+    if (!u->draw && !u->held) s->grasped = 0;
+    for (int i = 0; i < WF_CONTROLS; i++) {
+        if (!(r.all >> i & 1)) continue;
+        control_button(u, g, i, r.x, r.y, r.w);
+        r.x += r.w + CONTROL_GAP;
+    }
+}
+
+void game_say_controls(wfWriter *w, const game *g)
+{
+    const game_state *s = g->state;
+    control_row r = row_of_controls(g);
+    bool covered = s->menu || (!s->bare && game_has_drawer(s));
+    double k = (double)s->scale;
+    wfPut(w, "controls %u %u pixel %.1f %.1f %.1f %.1f %.1f\n",
+        covered ? 0 : (unsigned)r.all, (unsigned)s->input.held, k * (double)r.x,
+        k * (double)r.y, k * (double)r.w, k * CONTROL_HIGH, k * CONTROL_GAP);
 }
 
 /* obey the keys */

@@ -5,7 +5,6 @@
 #include <string.h>
 #include "testbed/panels.h"
 #include "testbed/raster.h"
-#include "testbed/writer.h"
 
 /* A strip of paper over the whole width: what is under it can't be clicked. */
 static void strip(ui *u, float y, float h)
@@ -312,6 +311,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         wfPut(&w, "apart %d %.9g\n", i + 2,
             known ? (double)s->plots.value[WF_PLOT_ERROR][at][i] : -1);
     }
+    if (game_drives_any(&g)) game_say_controls(&w, &g);
     say_bodies(&w, &g);
     for (int32_t i = 0; i < s->ui.place_count; i++)
         wfPut(&w, "widget %s pixel %.1f %.1f\n", s->ui.places[i].name,

@@ -116,7 +116,8 @@ bool game_drives_any(const game *g) { return controls_of(g->scene) != 0; }
 float game_controls_high(const game *g)
 {
     const game_state *s = g->state;
-    return s->opened && s->height >= LOW && controls_of(g->scene) ? CONTROL_HIGH + 6 : 0;
+    bool has = s->opened && s->height >= LOW && controls_of(g->scene);
+    return has ? CONTROL_HIGH + CONTROL_GAP : 0;
 }
 
 /* What is held at this step: by a key, by a tap within the frame, or by a button. */

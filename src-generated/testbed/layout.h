@@ -10,6 +10,7 @@ enum { TIME_BAR = 18 };                 /* the line of the kept steps, above the
 enum { LOW = 420 };                     /* lower windows go without that name and text */
 enum { SETTINGS_WIDTH = 290 };          /* of the panel at the right */
 enum { LIST_ROOM = 800 };               /* in narrower windows the list is a drawer */
-enum { CONTROL_HIGH = 46, CONTROL_WIDE = 92 };          /* a button of a driven scene */
+/* a button of a driven scene, and the way to the next one */
+enum { CONTROL_HIGH = 46, CONTROL_WIDE = 92, CONTROL_GAP = 6 };
 enum { UI_SIZES = 6 };                  /* of letters and buttons */
 #endif

@@ -5,6 +5,7 @@
 /* What the files of the game's interface do for each other. */
 #include "testbed/game.h"
 #include "testbed/layout.h"
+#include "testbed/writer.h"
 
 typedef struct button_row {
     const char *name, *other;           /* other: while it is on; NULL: the same */
@@ -70,6 +71,7 @@ void game_obey_mouse(game *g, bool over);
 void game_obey_mark(game_state *s, game_input *in);
 void game_obey_key(game *g, int32_t key);
 void game_controls(ui *u, game *g);
+void game_say_controls(wfWriter *w, const game *g);
 void game_draw_mark(ui *u, const game_state *s);
 WF_APART float game_card(ui *u, game *g, float x);
 WF_APART void game_offer(ui *u, game *g, float x);

@@ -60,6 +60,8 @@ typedef struct wfSceneGroup { const wfScene *scene; size_t count; } wfSceneGroup
 /* The scene of a row of the table, NULL if there is no such row. */
 const wfScene *wfSceneAt(int row);
 int wfSceneCount(void);
+/* Scenes that a platform brings along, behind those of the table; or NULL. */
+extern const wfSceneGroup *wfBroughtScenes;
 /* Row of the scene of this name, -1 if there is none. A hyphen is as good as a space. */
 int wfFindScene(const char *name);
 /* wfOpenScene, but for the needs: these instead of the scene's own, unless 0. A scene in a

@@ -48,11 +48,13 @@ static const wfSceneGroup *const group_table[] = {
     GROUP(wfChallengeScenes)
 };
 enum { GROUPS = sizeof group_table / sizeof *group_table };
+const wfSceneGroup *wfBroughtScenes;
 
 int wfSceneCount(void)
 {
     size_t count = 0;
     for (int i = 0; i < GROUPS; i++) count += group_table[i]->count;
+    if (wfBroughtScenes) count += wfBroughtScenes->count;
     return (int)count;
 }
 
@@ -62,5 +64,7 @@ const wfScene *wfSceneAt(int row)
         if ((size_t)row < group_table[i]->count) return &group_table[i]->scene[row];
         row -= (int)group_table[i]->count;
     }
+    if (wfBroughtScenes && row >= 0 && (size_t)row < wfBroughtScenes->count)
+        return &wfBroughtScenes->scene[row];
     return NULL;
 }

@@ -167,7 +167,8 @@ void game_step_world(game *g)
     for (; steps > 0; steps--) {
         begin_step(g, def.timeStep);
         double before = g->now ? g->now() : 0;
-        if (s->tape == TAPE_REPLAYING) {
+        bool replays = s->tape == TAPE_REPLAYING;
+        if (replays) {
             game_replay_one(g);
         } else {
             if (!s->moved)
@@ -183,8 +184,8 @@ void game_step_world(game *g)
             return;
         }
         end_step(g, def.timeStep);
-        if (!(g->input->held & GAME_BUTTON_LEFT) && s->tape != TAPE_REPLAYING)
-            s->held = (wfBodyId){ 0 };
+        if (replays && s->tape == TAPE_DONE) return;    /* not one step more */
+        if (!(g->input->held & GAME_BUTTON_LEFT) && !replays) s->held = (wfBodyId){ 0 };
     }
 }
 static double game_clock(void *context) { return ((game *)context)->now(); }

@@ -25,6 +25,7 @@ least=$(head -1 <<< "$figures") most=$(tail -1 <<< "$figures")
   echo "the script that unpacks and runs it,$(script | kb),$(script | gzip -9nc | kb),$(script | gzip -9nc | kb),$((aim - $(cat $web/testbed.wasm.lzma <(script | gzip -9nc) | kb)))"
   row "the testbed's rest: when it is asked for" testbed-rest ""
   row "the testbed in one piece" one "$(room one)"
+  [ ! -f $web/json.wasm.lzma ] || row "the reader of scenes in files: when one is opened" json ""
   row "the figures of ${least#figures-} (the least)" "$least" "$(room "$least")"
   row "the figures of ${most#figures-} (the most)" "$most" "$(room "$most")"
 } > "$to/page-weight.csv.new" && mv "$to/page-weight.csv.new" "$to/page-weight.csv"
