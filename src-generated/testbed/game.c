@@ -155,31 +155,20 @@ static void follow(game *g)
     c->y += 0.15f * ((float)p.y - c->y);
 }
 
-static bool sees(float x, float y, float height, wfVec2 p)
-{
-    float dx = (float)p.x - x, dy = (float)p.y - y;
-    return dx < height && dx > -height && dy < 0.6f * height && dy > -0.6f * height;
-}
-
-bool game_sees(const game *g, wfVec2 p)
-{
-    const camera *c = &g->state->camera;
-    return sees(c->x, c->y, c->height, p) ||
-           sees((float)g->scene->viewX, (float)g->scene->viewY,
-                (float)g->scene->viewHeight, p);
-}
-
 /* A scene that everybody has left begins again, if nobody has changed anything. */
 static void begin_again(game *g)
 {
     game_state *s = g->state;
     wfBodyView v = wfWorldBodies(&g->world);
+    camera home = { .x = (float)g->scene->viewX, .y = (float)g->scene->viewY,
+                    .height = (float)g->scene->viewHeight };
     bool any = false, runs = g->input->steps < 0 && !s->paused;
     bool left = runs && !s->ends && !s->undo_count;
     for (int32_t i = 0; i < v.count && left; i++) {
         if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
         any = true;
-        left = !game_sees(g, v.state[i].p);
+        left = !camera_sees(&s->camera, WF_XY(v.state[i].p)) &&
+               !camera_sees(&home, WF_XY(v.state[i].p));
     }
     bool taped = s->tape == TAPE_RECORDING || s->tape == TAPE_REPLAYING;
     s->empty = left && any && !taped && !s->held.index ? s->empty + g->input->seconds : 0;

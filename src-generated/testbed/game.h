@@ -226,5 +226,4 @@ WF_APART void game_before_step(game *g);
 WF_APART void game_after_step(game *g);
 void game_begin_try(game *g);
 bool game_is_calm(const game *g);
-bool game_sees(const game *g, wfVec2 p);    /* roughly: now, or when it looks home */
 #endif

@@ -51,8 +51,8 @@ bool game_is_calm(const game *g)
     wfBodyView v = wfWorldBodies(&g->world);
     bool any = false;
     for (int32_t i = 0; i < v.count; i++) {
-        if (!v.alive[i] || v.props[i].type == WF_STATIC || !game_sees(g, v.state[i].p))
-            continue;
+        if (!v.alive[i] || v.props[i].type == WF_STATIC ||
+            !camera_sees(&g->state->camera, WF_XY(v.state[i].p))) continue;
         wfTransform now = wfBodyTransform(&v.state[i]);
         wfTransform was = i < g->state->poses ? g->pose[i] : now;
         wfVec2 by = wfSub(now.p, was.p);
