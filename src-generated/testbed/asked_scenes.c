@@ -168,7 +168,7 @@ static const wfScene row[] = {
       VIEW(0, 2.2, 7), PROMISE(-1, 0.1) },
     { .category = "Asked", .name = "moving platforms", .chapter = "world",
       .text = "Moved by their velocity, they carry their loads. To and fro, up and down.",
-      .build = build_platforms, .update = update_platforms, VIEW(0, 2.4, 7),
+      .build = build_platforms, .update = update_platforms, VIEW(0, 2.4, 7), SHAPE(2.1),
       PROMISE(-1, 0.05) },
     { .category = "Asked", .name = "jitter", .chapter = "soft",
       .text = "A metre of bar for each centimetre a second: what moves that should be at rest?",

@@ -252,7 +252,7 @@ void game_state_line(ui *u, const game *g, float x)
     if (s->tools.said[0]) ui_fitted(u, x, s->height - 13, s->tools.refused ? WF_INK_BAD :
                                     WF_INK_TEXT, room, s->tools.said);
     else ui_fitted(u, x, s->height - 13, WF_INK_LINE, room,
-            s->finger ? "a finger holds and throws, or moves the view; two zoom" :
+            s->finger ? "drag bodies, or the view   two fingers: zoom" :
             "?: all keys   drag: hold and throw   right drag: move the view   "
             "wheel: zoom   right click: menu");
 }

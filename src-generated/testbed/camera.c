@@ -26,6 +26,12 @@ void camera_pick(const camera *c, float px, float py, float world[2])
     world[CAMERA_Y] = c->y - (py - middle(c->top, c->high)) / s;
 }
 
+bool camera_sees(const camera *c, float x, float y)
+{
+    float dx = (x - c->x) / c->height, dy = (y - c->y) / c->height;
+    return dx < 1 && dx > -1 && dy < 0.6f && dy > -0.6f;
+}
+
 /* zoom and pan the camera */
 void camera_zoom(camera *c, float factor, float px, float py)
 {

@@ -2,6 +2,7 @@
  * the chapter and type make. MIT licence. */
 #ifndef TESTBED_CAMERA_H
 #define TESTBED_CAMERA_H
+#include <stdbool.h>
 /* From metres to pixels and back. */
 
 /* What is looked at, and where in the picture it is seen. */
@@ -16,6 +17,8 @@ enum { CAMERA_X, CAMERA_Y };
 float camera_scale(const camera *c);            /* pixels to the metre */
 void camera_see(const camera *c, float x, float y, float pixel[2]);
 void camera_pick(const camera *c, float px, float py, float world[2]);
+/* Is a point of the world in view, or not far out of it? */
+bool camera_sees(const camera *c, float x, float y);
 /* Zooms by a factor (> 1: nearer) so that the world under the pixel stays under it; the
    height shown stays between 1 mm and 100 km. */
 void camera_zoom(camera *c, float factor, float px, float py);

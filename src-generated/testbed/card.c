@@ -6,31 +6,6 @@
 #include "testbed/panels.h"
 #include "testbed/raster.h"
 
-/* Words in lines of this width, from y on; returns where the next line is. */
-static float wrapped(ui *u, float x, float y, float room, int role, const char *text)
-{
-    char line[200] = "";
-    size_t n = 0;
-    while (*text) {
-        size_t word = strcspn(text + 1, " ") + 1;
-        if (n + word >= sizeof line) break;
-        memcpy(line + n, text, word);
-        line[n + word] = 0;
-        if (n > 0 && wfTextWidth(&wfBakedFont, 13, line) > room) {
-            line[n] = 0;
-            ui_text(u, x, y, 13, role, -1, line);
-            y += 17;
-            n = 0;
-            text += *text == ' ';
-            continue;
-        }
-        n += word;
-        text += word;
-    }
-    ui_text(u, x, y, 13, role, -1, line);
-    return y + 17;
-}
-
 static int state_of_try(const game *g, char *line, size_t size)
 {
     static const char *const fouls[] = {
@@ -43,6 +18,7 @@ static int state_of_try(const game *g, char *line, size_t size)
     char number[64] = "", kicked[32] = "";
     int used = wfWorldSteps(&g->world) > 0 ? s->kicks : s->kicks_before;
     snprintf(number, sizeof number, c->number, s->trial.shown);
+    if (number[0] == '-' && number[strspn(number, "-0.")] == ' ') number[0] = '+';
     if (kicks) snprintf(kicked, sizeof kicked, "kicks %d of %d   ", used, (int)c->most);
     if (done) snprintf(line, size, "Done.   %s", number);
     else if (s->foul)
@@ -90,8 +66,8 @@ float game_card(ui *u, game *g, float x)
     bool first = wfWorldSteps(&g->world) == 0;
     char line[160];
     if (!u->draw && first && !s->waits && g->input->steps < 0) s->paused = s->waits = 1;
-    y = wrapped(u, x, y, room, WF_INK_TEXT, g->scene->text);
-    y = wrapped(u, x, y, room, WF_INK_ACCENT, c->may);
+    y = ui_wrapped(u, x, y, room, WF_INK_TEXT, g->scene->text);
+    y = ui_wrapped(u, x, y, room, WF_INK_ACCENT, c->may);
     bar b = { x, s->width - 8, x, y - 9 };
     if (first && bar_button(u, &b, "Start", false, "let time run")) s->paused = 0;
     if (!first && bar_button(u, &b, "Again", false, "to the first step, as it was built"))
@@ -105,6 +81,6 @@ float game_card(ui *u, game *g, float x)
     bool beside = wfTextWidth(&wfBakedFont, 13, line) < s->width - 12 - b.x;
     if (beside) ui_text(u, b.x + 8, b.y + 16, 13, ink, -1, line);
     float end = b.y + BAR_ROW + 4;
-    if (!beside) end = wrapped(u, x, end + 8, room, ink, line) - 6;
+    if (!beside) end = ui_wrapped(u, x, end + 8, room, ink, line) - 6;
     return end - s->head;
 }

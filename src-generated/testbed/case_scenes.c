@@ -226,14 +226,31 @@ static void mark_node(const wfWorld *world, wfDraw *d, const wfQuadTree *tree, i
             wfDrawPoint(d, WF_XY(v.state[i].p), 10, WF_INK_ACCENT);
 }
 
+/* Would words at this place cover those written before? */
+static bool is_crowded(const wfVec2 *written, int count, wfVec2 at, wfReal near)
+{
+    for (int k = 0; k < count; k++) {
+        wfVec2 by = wfAbs2(wfSub(written[k], at));
+        if (by.x < near && by.y < near / 3) return true;
+    }
+    return false;
+}
+
 static void write_nodes(const wfWorld *world, wfDraw *d, const wfQuadTree *tree)
 {
     static const char *const sector[] = { "BL", "BR", "TL", "TR" };
     wfBodyView v = wfWorldBodies(world);
+    bool upright = d->view[3] - d->view[1] > d->view[2] - d->view[0];   /* a telephone */
+    wfReal near = upright ? WF_R(1.6) : WF_R(0.8);
+    enum { MOST = 100 };
+    wfVec2 written[MOST];
+    int count = 0;
     for (int32_t i = 0; i < v.count; i++) {
         int32_t path[WF_QUAD_MAX_DEPTH], shape = v.alive[i] ? v.props[i].shape : -1;
         int32_t node = shape >= 0 ? wfQuadTreeNodeOf(tree, shape) : -1;
-        if (node < 0 || v.props[i].type == WF_STATIC) continue;
+        if (node < 0 || v.props[i].type == WF_STATIC ||
+            is_crowded(written, count, v.state[i].p, near)) continue;
+        if (count < MOST) written[count++] = v.state[i].p;
         int depth = wfQuadTreePath(tree, node, path);
         wfVec2 above = wfAdd(v.state[i].p, wfV2(0, WF_R(0.3)));
         wfDrawTextf(d, WF_XY(above), 11, WF_INK_TEXT, 0, "%s%s%s",

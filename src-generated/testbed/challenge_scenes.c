@@ -190,7 +190,8 @@ static void draw_beam(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfVec2 p = wfWorldBodies(world).state[1].p;
     wfDrawLine(d, 0, 1, WF_XY(p), 2, WF_INK_LINE);
     wfDrawDashed(d, -5, 0, 5, 0, 1, WF_INK_ACCENT);
-    wfDrawText(d, -3, 1.1f, 13, WF_INK_TEXT, 0, "2 kg");
+    p = wfWorldBodies(world).state[2].p;
+    wfDrawText(d, WF_XY(p), 13, WF_INK_TEXT, 0, "2 kg");
 }
 
 static void finely(wfWorldDef *def)
@@ -244,7 +245,7 @@ static const wfScene row[] = {
       .chapter = "friction",
       .text = "Make the lower floor as rough as the upper one: both blocks must stop abreast.",
       .define = roughest_wins_not, .build = build_unknown_floor, .draw = draw_where_it_stopped,
-      VIEW(0, 1, 8), PROMISE(-1, -1) },
+      VIEW(0, 1, 8), SHAPE(1.9), PROMISE(-1, -1) },
     { .category = "Challenges", .name = "up to the line", .alias = "challenge=bounce",
       .chapter = "impulses",
       .text = "The ball's second bounce must reach the line at 1 m, to within 5 cm.",

@@ -497,7 +497,8 @@ static void write_length(wfDraw *d, float x, float y, double length)
                      1000 * length);
 }
 
-static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *name)
+static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *name,
+                       float high)
 {
     wfBodyView v = wfWorldBodies(world);
     float x = (float)at.x, y = (float)at.y;
@@ -514,7 +515,7 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
                        WF_R(-0.15) * q.s + WF_R(0.1) * q.c + WF_R(0.75) + at.y);
     wfVec2 head = wfAdd(foot, wfV2(WF_R(-0.5) * q.s, WF_R(0.5) * q.c));
     wfDrawDashed(d, WF_XY(foot), WF_XY(head), 1, WF_INK_BAD);
-    wfDrawText(d, x + 0.3f, y + 3.5f, 13, WF_INK_ACCENT, 0, name);
+    wfDrawText(d, x + 0.3f, y + high, 11, WF_INK_ACCENT, 0, name);
     write_length(d, x - 1.6f, y - 0.75f, sunk);
     write_length(d, x + 0.1f, y - 0.75f, crept);
     wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.0f", 100 * energy);
@@ -525,18 +526,18 @@ static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
     int steps = (int)(wfWorldSteps(world) % TRIAL_STEPS);
     int passes = 1 << (in->choice + 3) % 5;
     for (int row = 0; row < wfSolverCount && row < 9; row++) {
-        wfVec2 at = wfV2(5 * (wfReal)(row % 3), WF_R(-5.4) * (wfReal)(row / 3));
+        wfVec2 at = wfV2(5 * (wfReal)(row % 4), WF_R(-5.9) * (wfReal)(row / 4));
         wfWorld trial = { .memory = { .owned = 0 } };
         wfResult result = run_trial(row, passes, steps, &trial);
         if (result == WF_OK) {
             draw_bodies_at(&trial, d, at);
-            draw_marks(&trial, d, at, wfSolverTable[row].name);
+            draw_marks(&trial, d, at, wfSolverTable[row].name, row % 2 ? 4.3f : 3.5f);
         }
         wfDestroyWorld(&trial);
     }
-    wfDrawTextf(d, -2.3f, 4.2f, 13, WF_INK_TEXT, -1,
-                "passes: %d     below: sunk (mm), crept (mm), energy (%%)",
-                passes);
+    wfDrawTextf(d, -2.3f, 5.1f, 13, WF_INK_TEXT, -1, "passes: %d", passes);
+    wfDrawText(d, -2.3f, -7.6f, 11, WF_INK_TEXT, -1,
+               "below: sunk (mm), crept (mm), energy (%)");
 }
 
 static const wfScene row[] = {
@@ -545,7 +546,8 @@ static const wfScene row[] = {
       .build = build_card_house, VIEW(0, 2.3, 6.2), PROMISE(0.1, 0.02) },
     { .category = "Classics", .name = "arch", .chapter = "classics",
       .text = "Twenty stones without mortar, as thin as an arch can nearly be.",
-      .build = build_arch, VIEW(0, 2.6, 7), .show = WF_SHOW_CONTACTS, PROMISE(0.1, 0.02) },
+      .build = build_arch,
+      VIEW(0, 2.6, 7), SHAPE(1.65), .show = WF_SHOW_CONTACTS, PROMISE(0.1, 0.02) },
     { .category = "Classics", .name = "overhang", .chapter = "classics",
       .text = "Ten blocks hang over the edge by 99 % of what is possible.",
       .build = build_overhang, .draw = draw_overhang, VIEW(0, 2, 5), PROMISE(0.2, 0.02) },
@@ -561,7 +563,7 @@ static const wfScene row[] = {
       PROMISE(-1, -1) },
     { .category = "Classics", .name = "dominoes", .chapter = "classics",
       .text = "A wave runs through thirty stones with a speed of its own.",
-      .build = build_dominoes, VIEW(0, 2.2, 9.5), PROMISE(0.1, 0.1) },
+      .build = build_dominoes, VIEW(0, 2.2, 9.5), SHAPE(1.85), PROMISE(0.1, 0.1) },
     { .category = "Classics", .name = "tumbler", .chapter = "compound",
       .text = "A drum turns and never lets its heap come to rest.",
       .build = build_tumbler, VIEW(0, 4, 10), PROMISE(-1, 0.2) },
@@ -571,7 +573,7 @@ static const wfScene row[] = {
       .draw = draw_galton, VIEW(0, 5.6, 13.6), PROMISE(-1, 0.25) },
     { .category = "Classics", .name = "hung cradle", .chapter = "joints",
       .text = "Five touching balls on rods. One comes in, and one goes out.",
-      .build = build_hung_cradle, VIEW(0, 3.4, 6),
+      .build = build_hung_cradle, VIEW(0, 3.4, 6), SHAPE(1.7),
       PROMISE(0.1, 0.08) },
     { .category = "Classics", .name = "ramp", .chapter = "friction",
       .text = "Static over dynamic friction, on a slope of 1/2: who holds, who slides?",
@@ -581,13 +583,14 @@ static const wfScene row[] = {
       .build = build_race, .draw = draw_race, VIEW(0, 6.6, 14), PROMISE(0.1, 0.15) },
     { .category = "Classics", .name = "walker", .chapter = "joints-in-a-world",
       .text = "Jansen's legs: one crank, six linkages. The body hardly rises and falls.",
-      .define = jointly, .build = build_walker, VIEW(0, 3, 8),
+      .define = jointly, .build = build_walker, VIEW(0, 3, 8), SHAPE(2),
       PROMISE(-1, 0.1) },
     { .category = "Classics", .name = "wall to break", .chapter = "joints-in-a-world",
       .text = "Mortar that holds 60 N, and a ball that brings more. Pieces fall as one.",
-      .define = many_joints, .build = build_breaking_wall, VIEW(2, 3, 8), PROMISE(5, 0.5) },
+      .define = many_joints, .build = build_breaking_wall,
+      VIEW(2, 3, 8), SHAPE(2.2), PROMISE(5, 0.5) },
     { .category = "Classics", .name = "solvers", .chapter = "soft",
       .text = "A tower, a slope, a ball with e = 1, by every solver. T: more passes.",
-      .build = build_nothing, .draw = draw_solvers, VIEW(5, -4.4, 18), PROMISE(0, -1) },
+      .build = build_nothing, .draw = draw_solvers, VIEW(7.5, -1.2, 13.8), PROMISE(0, -1) },
 };
 const wfSceneGroup wfClassicScenes = { row, sizeof row / sizeof *row };

@@ -122,7 +122,8 @@ static wfResult build_shapes(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Collision", .name = "ball and wall", .chapter = "impulses",
       .text = "A ball on its exact parabola (dashed) meets a wall of loose bricks.",
-      .build = build_ball_and_wall, .draw = draw_ball_and_wall, VIEW(-1.2, 3.8, 10.5),
+      .build = build_ball_and_wall, .draw = draw_ball_and_wall,
+      VIEW(-1.2, 3.8, 10.5), SHAPE(1.7),
       PROMISE(1, 0.3) },
     { .category = "Collision", .name = "bouncing circles", .chapter = "impulses",
       .text = "Nine balls whose restitution goes from 0 to 1 in eighths.",

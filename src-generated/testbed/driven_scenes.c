@@ -333,7 +333,7 @@ static const wfScene row[] = {
       .controls = { [WF_LEFT] = "left", [WF_RIGHT] = "right", [WF_UP] = "gas",
                     [WF_DOWN] = "brake" },
       .demo = "UlUUlUllllllUlllUULllLLURRLURlUlllUUUllLLlLllUllUlllllllRlUl",
-      VIEW(0, 0, 11.4), PROMISE(-1, 0.25) },
+      VIEW(0, 0, 12.2), SHAPE(1.5), PROMISE(-1, 0.25) },
     { .category = "Play", .name = "tank", .chapter = "joints-in-a-world", .follow = 1,
       .text = "Each track is a chain of links about four wheels, and drives by friction alone.",
       .define = many_links, .build = build_tank, .update = drive_tank,
@@ -345,7 +345,8 @@ static const wfScene row[] = {
       .define = jointly, .build = build_runner, .update = drive_runner, .draw = draw_runner,
       .asks = WF_MODULE_QUERIES,
       .controls = { [WF_LEFT] = "left", [WF_RIGHT] = "right", [WF_UP] = "jump" },
-      .demo = "RU.lURlRRlUUUUrRRLUUUlRUUUUURRRrRRrRR..................", VIEW(0, 3, 8.4),
+      .demo = "RU.lURlRRlUUUUrRRLUUUlRUUUUURRRrRRrRR..................",
+      VIEW(0, 3, 8.4), SHAPE(1.8),
       PROMISE(-1, 0.25) },
 };
 const wfSceneGroup wfDrivenScenes = { row, sizeof row / sizeof *row };

@@ -76,7 +76,8 @@ static wfResult build_fan(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Fast bodies", .name = "bullets", .chapter = "joints-in-a-world",
       .text = "300 m/s, a falling plate, a hanging sheet, 2 cm each: none gets through.",
-      .build = build_bullets, .update = update_bullets, VIEW(0, 2.6, 8), PROMISE(-1, -1) },
+      .build = build_bullets, .update = update_bullets,
+      VIEW(0, 2.6, 8), SHAPE(2.4), PROMISE(-1, -1) },
     { .category = "Fast bodies", .name = "bullet room", .chapter = "joints-in-a-world",
       .text = "Twenty-four balls at 120 m/s between walls of 2 cm: nobody gets out.",
       .define = without_gravity, .build = build_bullet_room, VIEW(0, 4, 9),

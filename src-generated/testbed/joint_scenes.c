@@ -517,7 +517,7 @@ static void draw_heavy_chain(const wfWorld *world, wfDraw *d, const wfSceneInput
     if (v.count < LINKS + 2) return;
     wfVec2 load = v.state[LINKS + 1].p;
     wfDrawTextf(d, (float)load.x, (float)load.y - 1.6f, 14, WF_INK_TEXT, 0,
-                "off by %.3f m", (double)(wfLength(load) - length));
+                "off by %.3f m", (double)wfAbs(wfLength(load) - length));
 }
 
 static const wfScene row[] = {
@@ -551,7 +551,7 @@ static const wfScene row[] = {
       PROMISE(-1, -1) },
     { .category = "Joints", .name = "small machines", .chapter = "joints",
       .text = "Slide, groove, pulley, rotary spring, rotary limit, motor.",
-      .define = jointly, .build = build_small, VIEW(0, 2.2, 9),
+      .define = jointly, .build = build_small, VIEW(0, 2.2, 9), SHAPE(1.9),
       PROMISE(-1, 0.1) },
     { .category = "Joints", .name = "seen from above", .chapter = "joints",
       .text = "Discs that rub on a table, and a block that is led round among them.",

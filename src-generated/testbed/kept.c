@@ -82,6 +82,7 @@ static bool read_settings(game_state *s, const char *at, size_t size)
     while (at && at < end) at = read_line(at, end, value);
     for (int i = 0; at && i < KEPT; i++)
         memcpy((uint8_t *)s + kept_table[i].where, &value[i], sizeof *value);
+    s->curves &= (1 << WF_PLOT_BODY) - 1;          /* of which body would the others be? */
     return at != NULL;
 }
 

@@ -9,9 +9,11 @@
 #include "weft/integrate.h"
 #include "weft/joint.h"
 
-/* For rows of scenes: where the camera looks, m, and the promises, J and m. */
+/* For rows of scenes: where the camera looks, m, the view's width to its height if bodies
+ * are farther out to the sides than usual, and the promises, J and m. */
 #define VIEW(x, y, height) .viewX = (wfReal)(x), .viewY = (wfReal)(y), \
     .viewHeight = (wfReal)(height)
+#define SHAPE(wide) .viewShape = (wfReal)(wide)
 #define PROMISE(energy, depth) .energyBound = (wfReal)(energy), \
     .depthBound = (wfReal)(depth)
 

@@ -99,7 +99,7 @@ static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, wfReal size
     wfVec2 at = wfAdd(middle, wfScale(size, planet.p));
     if (n > 1) wfDrawPolyline(d, xy, n, 1.5f, row % 2 ? WF_INK_BODY : WF_INK_BODY2);
     wfDrawPoint(d, WF_XY(at), 8, WF_INK_LINE);
-    wfDrawText(d, (float)middle.x, (float)(middle.y - 2 * size), 13, WF_INK_TEXT, 0,
+    wfDrawText(d, (float)middle.x, (float)(middle.y - 2 * size), 11, WF_INK_TEXT, 0,
                wfIntegratorTable[row].name);
 }
 
@@ -125,7 +125,7 @@ static const wfScene row[] = {
     { .category = "Motion", .name = "spring and orbit", .chapter = "integration",
       .text = "A mass on a spring, a planet on a circle: rings show where they must be.",
       .define = integrated_freely, .build = build_spring_orbit, .draw = draw_spring_orbit,
-      VIEW(1, 0, 9), PROMISE(0.001, -1) },
+      VIEW(1, 0, 9), SHAPE(1.7), PROMISE(0.001, -1) },
     { .category = "Motion", .name = "integrators", .chapter = "integration",
       .text = "The same orbit by each integrator, thirty steps to a turn. Some keep it.",
       .define = integrated_freely, .build = build_nothing, .draw = draw_integrators,

@@ -300,7 +300,7 @@ void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w,
     float box[] = { x, y, x + w, y, x + w, y + h, x, y + h };
     Axes a = axes_of(p, row, x, y, w, h);
     wfDrawPolygon(d, box, 4, 1, WF_INK_FAINT, WF_INK_PAPER);
-    if (row >= WF_PLOT_BODY)
+    if (row >= WF_PLOT_BODY && p->body.index)
         wfDrawTextf(d, x + 6, y + h - 13, 11, WF_INK_TEXT, -1, "%s of %d (%s)", r->name,
                     (int)p->body.index - 1, r->unit);
     else wfDrawTextf(d, x + 6, y + h - 13, 11, WF_INK_TEXT, -1, "%s (%s)", r->name,

@@ -34,7 +34,7 @@ static void draw_throws(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     wfVec2 p = wfWorldBodies(world).state[3].p;
     if (wfGetWorldOrigin(world, &home) != WF_OK || home.x == 0) return;
     if (wfLocalToGlobal(world, p, &at) == WF_OK)
-        wfDrawTextf(d, (float)p.x, (float)p.y + 0.4f, 13, WF_INK_ACCENT, 0,
+        wfDrawTextf(d, (float)p.x, (float)p.y + 0.4f, 13, WF_INK_ACCENT, p.x < 0 ? -1 : 1,
                     "x = %.1f m", at.x);
 }
 
@@ -148,11 +148,12 @@ static wfResult build_sizes(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Extremes", .name = "fifteen steps", .chapter = "extremes",
       .text = "Throws at fifteen steps a second. The dashed lines are exact.",
-      .define = fifteen, .build = build_throws, .draw = draw_throws, VIEW(0, 2.6, 8),
+      .define = fifteen, .build = build_throws, .draw = draw_throws,
+      VIEW(0, 2.6, 8), SHAPE(1.9),
       PROMISE(1, 0.4) },
     { .category = "Extremes", .name = "far from home", .chapter = "extremes",
       .text = "A throw, a million kilometres away. It must look like one at home.",
-      .build = build_far, .draw = draw_throws, VIEW(0, 2.6, 8), PROMISE(1, 0.2) },
+      .build = build_far, .draw = draw_throws, VIEW(0, 2.6, 8), SHAPE(1.9), PROMISE(1, 0.2) },
     { .category = "Extremes", .name = "spin", .chapter = "extremes",
       .text = "Planks at 1, 10, 100 and 300 rad/s: each must stay on its line.",
       .define = without_gravity, .build = build_spin, .draw = draw_spin, VIEW(0, 0, 8),
@@ -160,7 +161,7 @@ static const wfScene row[] = {
     { .category = "Extremes", .name = "billiard with pi", .chapter = "extremes",
       .text = "Between a wall and a hundredfold mass: thirty-one clacks, no energy lost.",
       .define = without_gravity, .build = build_billiard, .draw = draw_billiard,
-      VIEW(2, 0, 10), PROMISE(2, 0.4) },
+      VIEW(2, 0, 10), SHAPE(1.7), PROMISE(2, 0.4) },
     { .category = "Extremes", .name = "slides", .chapter = "extremes",
       .text = "Blocks with 4 m/s and frictions from 0.1 to 0.8: each must stop at its line.",
       .build = build_slides, .draw = draw_slides, VIEW(0, 2.4, 8), PROMISE(0.1, 0.05) },

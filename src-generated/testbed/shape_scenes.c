@@ -153,10 +153,10 @@ static wfResult build_round(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Shapes", .name = "tiled valley", .chapter = "contacts",
       .text = "Two hundred tiles make one smooth valley: nothing stumbles over a seam.",
-      .define = softly, .build = build_tiles, VIEW(0, 2.6, 9), PROMISE(0.5, 0.1) },
+      .define = softly, .build = build_tiles, VIEW(0, 2.6, 9), SHAPE(1.75), PROMISE(0.5, 0.1) },
     { .category = "Shapes", .name = "hammers", .chapter = "compound",
       .text = "Bodies of several shapes turn about their common centre of mass.",
-      .define = softly, .build = build_hammers, .draw = draw_hammers, VIEW(0, 3, 9),
+      .define = softly, .build = build_hammers, .draw = draw_hammers, VIEW(0, 3, 9), SHAPE(1.8),
       PROMISE(1, 0.3) },
     { .category = "Shapes", .name = "outlines", .chapter = "compound",
       .text = "Outlines that are not convex, cut into convex pieces, hook into each other.",

@@ -51,7 +51,8 @@ static void take_the_plank(wfWorld *world, const wfSceneInput *in)
 static const wfScene row[] = {
     { .category = "Sleep", .name = "islands", .chapter = "joints-in-a-world",
       .text = "Stacks fall asleep. After 7 s a ball is kicked off its shelf. Who wakes?",
-      .define = sleeping, .build = build_islands, .update = kick_the_last, VIEW(0, 2.6, 9),
+      .define = sleeping, .build = build_islands, .update = kick_the_last,
+      VIEW(0, 2.6, 9), SHAPE(1.65),
       .show = WF_SHOW_ISLANDS, PROMISE(-1, 0.2) },
     { .category = "Sleep", .name = "support removed", .chapter = "joints-in-a-world",
       .text = "All sleep; after 6 s the plank under them is gone. Nobody may hang in the air.",

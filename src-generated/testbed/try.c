@@ -44,14 +44,15 @@ void game_look_at_change(game *g, const wfInput *in)
     if (!fine) *(first ? &s->foul_before : &s->foul) = FOUL_CHANGE;
 }
 
-/* Is there a body that can move, and did none go 0.2 mm or turn in the last step? A
+/* Is there a body in view that can move, and did none go 0.2 mm or turn in the last step? A
  * velocity would not tell: some solvers leave a step of gravity in it. */
 bool game_is_calm(const game *g)
 {
     wfBodyView v = wfWorldBodies(&g->world);
     bool any = false;
     for (int32_t i = 0; i < v.count; i++) {
-        if (!v.alive[i] || v.props[i].type == WF_STATIC) continue;
+        if (!v.alive[i] || v.props[i].type == WF_STATIC ||
+            !camera_sees(&g->state->camera, WF_XY(v.state[i].p))) continue;
         wfTransform now = wfBodyTransform(&v.state[i]);
         wfTransform was = i < g->state->poses ? g->pose[i] : now;
         wfVec2 by = wfSub(now.p, was.p);

@@ -101,11 +101,37 @@ void ui_fitted(ui *u, float x, float y, int role, float room, const char *text)
     if (n >= sizeof line - 4) n = sizeof line - 4;
     memcpy(line, text, n);
     line[n] = 0;
+    for (size_t at = n; at-- > 0 && wfTextWidth(&wfBakedFont, 13, line) > room; )
+        if (strncmp(line + at, "   ", 3) == 0) line[n = at] = 0;
     while (n > 0 && wfTextWidth(&wfBakedFont, 13, line) > room) {
         for (n--; n > 0 && (line[n - 1] & 0xc0) == 0x80; n--) continue;
         memcpy(line + n, "...", 4);
     }
     ui_text(u, x, y, 13, role, -1, line);
+}
+
+float ui_wrapped(ui *u, float x, float y, float room, int role, const char *text)
+{
+    char line[200] = "";
+    size_t n = 0;
+    while (*text) {
+        size_t word = strcspn(text + 1, " ") + 1;
+        if (n + word >= sizeof line) break;
+        memcpy(line + n, text, word);
+        line[n + word] = 0;
+        if (n > 0 && wfTextWidth(&wfBakedFont, 13, line) > room) {
+            line[n] = 0;
+            ui_text(u, x, y, 13, role, -1, line);
+            y += 17;
+            n = 0;
+            text += *text == ' ';
+            continue;
+        }
+        n += word;
+        text += word;
+    }
+    ui_text(u, x, y, 13, role, -1, line);
+    return y + 17;
 }
 
 /* the area of a widget */

@@ -68,8 +68,11 @@ void ui_finish(ui *u, double seconds);
 bool ui_inside(const ui *u, float x, float y, float w, float h);
 void ui_box(ui *u, float x, float y, float w, float h, int line, int fill);
 void ui_text(ui *u, float x, float y, float size, int role, int anchor, const char *text);
-/* Text of 13 units from x on, cut with three points where it would be wider than room. */
+/* Text of 13 units from x on. If it is wider than room, phrases that are three spaces apart
+ * are left out from the end, and one phrase alone is cut with three points. */
 void ui_fitted(ui *u, float x, float y, int role, float room, const char *text);
+/* Words in lines of this width, from y on; returns where the next line is. */
+float ui_wrapped(ui *u, float x, float y, float room, int role, const char *text);
 /* Was it clicked, or pressed by a key? Each widget is one of these. */
 bool ui_area(ui *u, const char *name, float x, float y, float w, float h);
 void ui_tip(ui *u, const char *name, const char *text, float x, float y, float w, float h);

@@ -6,8 +6,9 @@
 /* m: what is small in this view, but can be seen; the ring of a pulley's wheel. */
 static float small_thing(const wfDraw *d)
 {
-    float high = d->view[3] - d->view[1];
-    return high > 0 ? high / 80 : 0.1f;
+    float high = d->view[3] - d->view[1], wide = d->view[2] - d->view[0];
+    float least = wide < high ? wide : high;
+    return least > 0 ? least / 80 : 0.1f;
 }
 
 void wfDrawShape(wfDraw *d, const wfShape *shape, wfTransform xf, int lineRole,
@@ -336,7 +337,7 @@ static void draw_joint(wfDraw *d, const SeenJoint *s)
     bool ring = draw == see_hinge && !s->full && !broken;
     bool strut = draw == see_slide && (s->j.flags & WF_JOINT_SPRING) && !s->full;
     int ink = broken ? WF_INK_BAD : ring ? WF_INK_FAINT : s->ink;
-    float size = broken ? 6 : ring ? 6.5f : s->full ? 4 : 3;
+    float size = broken && s->full ? 6 : ring ? 6.5f : s->full ? 4 : 3;
     if (!strut) wfDrawPoint(d, WF_XY(s->from), size, ink);
     wfDrawPoint(d, WF_XY(s->to), size, ink);
     if (ring) wfDrawPoint(d, WF_XY(s->to), 3, WF_INK_PAPER);
