@@ -490,7 +490,7 @@ local function fit_columns(el)
       for j, cell in ipairs(row.cells) do
         local text = pandoc.utils.stringify(cell.contents)
         most[j] = math.max(most[j], utf8.len(text) or #text)
-        for w in text:gmatch("%S+") do word[j] = math.max(word[j], utf8.len(w) or #w) end
+        for w in text:gmatch("%S+") do word[j] = math.max(word[j], 1 + (utf8.len(w) or #w)) end
       end
     end
   end
@@ -844,8 +844,8 @@ end
 local function keep_headings(blocks)
   for i = #blocks - 1, 1, -1 do
     local behind = blocks[i].t == "Header" and blocks[i + 1]
-    local lines = behind and (behind.t == "Table" and 11 or behind.t == "Div" and 7)
-    if lines then blocks:insert(i, rawb("\\wRoom{" .. lines .. "}")) end
+    local lines = behind and (behind.t == "Table" and 11 or behind.t == "Div" and (behind.classes:includes("data") and 12 or 7))
+    if lines then blocks:insert(i, rawb((lines > 7 and "\\wRoomBefore{" or "\\wRoom{") .. lines .. "}")) end
   end
 end
 
