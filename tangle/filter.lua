@@ -840,12 +840,19 @@ local function leave_out(blocks)
   return r
 end
 
--- a heading with a table or a box behind it needs more room than one with words
+-- a heading with a table or a box behind it needs more room than one with words; one with such a heading behind it needs that as well
 local function keep_headings(blocks)
-  for i = #blocks - 1, 1, -1 do
-    local behind = blocks[i].t == "Header" and blocks[i + 1]
-    local lines = behind and (behind.t == "Table" and 11 or behind.t == "Div" and (behind.classes:includes("data") and 12 or 7))
-    if lines then blocks:insert(i, rawb((lines > 7 and "\\wRoomBefore{" or "\\wRoom{") .. lines .. "}")) end
+  local behind, lines
+  for i = #blocks, 1, -1 do
+    local b = blocks[i]
+    if b.t == "Header" then
+      lines = behind and (behind.t == "Table" and 11 or behind.t == "Div" and (behind.classes:includes("data") and 12 or 7)) or lines and lines + 3
+      if lines and not (i > 1 and blocks[i - 1].t == "Header") then
+        blocks:insert(i, rawb((lines > 10 and "\\wRoomBefore{" or "\\wRoom{") .. lines .. "}"))
+        lines = nil
+      end
+      behind = nil
+    else behind, lines = b, nil end
   end
 end
 
