@@ -957,7 +957,14 @@ static void leave_pin(wfJointSet *set, const wfSolve *in, int32_t i)
     wfJoint *j = &set->joints[i];
     track(j, in->state[q->a].angle, in->state[q->b].angle);
     for (int k = 0; k < WF_JOINT_ROWS; k++) j->impulse[k] = k < 2 ? q->impulse.E[k] : 0;
+    set->work[i].load = q->load, set->work[i].most[0] = q->most;
     set->work[i].kick = q->impulse;
+}
+
+static void count_pin(wfPin *q)         /* as close_kick does for other joints */
+{
+    q->load = wfAdd(q->load, q->impulse);
+    q->most = wfMaxR(q->most, wfLength(q->impulse));
 }
 
 /* keep joints as other laws */
@@ -1018,7 +1025,7 @@ static void give_again(wfJointSet *set, const wfSolve *in, wfReal dt, wfReal t, 
     for (int32_t i = 0; i < set->count; i++) {
         /* give a plain hinge its old impulse again */
         if (set->pins[i].on) {
-            if (!first) set->work[i].kick = set->pins[i].impulse, close_kick(&set->work[i]);
+            if (!first) count_pin(&set->pins[i]);
             warm_pin(&set->pins[i], in, heavier, t / set->last);
             continue;
         }
@@ -1065,10 +1072,9 @@ static bool has_stops(const wfJointSet *set)
     return false;
 }
 
-static void solve_one(wfJointSet *set, const wfSolve *in, int32_t i, wfReal dt, bool soft,
-                      bool renew)
+static void solve_one(wfJointSet *set, const wfSolve *in, int32_t i, wfReal dt,
+                      wfGiving give, bool soft, bool renew)
 {
-    wfGiving give = wfGivingOf(set);
     /* solve it if it is a plain hinge */
     if (set->pins[i].on) {
         if (renew) renew_pin(set, in, i);
@@ -1104,8 +1110,9 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
     if (soft) solve_woven(set, in);
     if (soft && pass == 0 && set->together != NULL && has_stops(set))
         set->together(set, in, moved, dt, soft);
+    wfGiving give = wfGivingOf(set);
     for (int32_t k = 0; k < set->count; k++)
-        solve_one(set, in, pass % 2 == 0 || renew ? k : set->count - 1 - k, dt, soft,
+        solve_one(set, in, pass % 2 == 0 || renew ? k : set->count - 1 - k, dt, give, soft,
                   renew);
     if (set->together != NULL) set->together(set, in, moved, dt, soft);
     if (soft) set->built = false;           /* the bodies are about to move */

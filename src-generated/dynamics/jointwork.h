@@ -39,7 +39,8 @@ typedef struct wfPin {
     int32_t swung;              /* 1: it turned too far in a substep: eq:joints-swung */
     wfVec2  rA, rB, d;          /* m: arms; from A's anchor to B's */
     wfReal  l, dx, dy;          /* K = L D L^T: L21, 1 / D1, 1 / D2 */
-    wfVec2  impulse;            /* N s: in the last substep */
+    wfVec2  impulse, load;      /* N s: in the last substep; in all before it */
+    wfReal  most;               /* N s: in one substep */
 } wfPin;
 
 /* follow an angle without jumps */
