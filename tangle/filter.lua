@@ -458,9 +458,15 @@ local function data_table(el)
       for j, w in pairs(broad) do n = math.max(n, math.ceil(1.15 * (utf8.len(line[j]) or #line[j]) / w)) end
       lines = lines + n
     end
+    if not broken and #body > 40 then                  -- longer than a page: the second half beside the first
+      local half = (#body + 1) // 2
+      for i = 1, half do body[i] = body[i]:gsub("\\\\$", "") .. " & " .. (body[i + half] or string.rep("& ", #columns - 1) .. "\\\\") end
+      for i = #body, half + 1, -1 do body[i] = nil end
+      for j = 1, #columns do head[#columns + j], spec[#columns + j] = head[j], (j == 1 and "@{\\hskip24pt}" or "") .. spec[j] end
+    end
     if broken and lines > 44 then
       local words = pandoc.write(pandoc.Pandoc { caption }, "latex-smart"):gsub("%s+$", "")
-      return pandoc.List { rawb("\\begin{wLongTable}\\needspace{14\\baselineskip}\\fontsize{8}{9.8}\\selectfont\\setlength\\tabcolsep{2.5pt}\\begin{longtable}{@{}" .. table.concat(spec) .. "@{}}\\multicolumn{" .. #columns .. "}{@{}l@{}}{" ..
+      return pandoc.List { rawb("\\begin{wLongTable}[14]\\fontsize{8}{9.8}\\selectfont\\setlength\\tabcolsep{2.5pt}\\begin{longtable}{@{}" .. table.concat(spec) .. "@{}}\\multicolumn{" .. #columns .. "}{@{}l@{}}{" ..
         (id ~= "" and "\\wLabel{" .. id .. "}" or "") .. "\\wTableCaption{" .. (l and "Table~" .. l.num or "") .. "}{" .. words .. command_line({ command }, machine) .. "}}\\\\[3pt]\\toprule " ..
         table.concat(head, " & ") .. "\\\\\\midrule\\noalign{}\\endfirsthead\\toprule " .. table.concat(head, " & ") .. "\\\\\\midrule\\noalign{}\\endhead\n" .. table.concat(body, "\n") .. "\n\\bottomrule\\end{longtable}\\end{wLongTable}") }
     end
@@ -472,7 +478,35 @@ local function data_table(el)
   return r
 end
 
+-- columns whose dashes are all alike say nothing of widths: each gets what its words need
+local function fit_columns(el)
+  local most, word, all, share = {}, {}, 0, 0
+  for j, spec in ipairs(el.colspecs) do
+    if not spec[2] or math.abs(spec[2] - el.colspecs[1][2]) > 1e-3 then return end
+    most[j], word[j] = 4, 4
+  end
+  local function measure(rows)
+    for _, row in ipairs(rows) do
+      for j, cell in ipairs(row.cells) do
+        local text = pandoc.utils.stringify(cell.contents)
+        most[j] = math.max(most[j], utf8.len(text) or #text)
+        for w in text:gmatch("%S+") do word[j] = math.max(word[j], 1 + (utf8.len(w) or #w)) end
+      end
+    end
+  end
+  measure(el.head.rows)
+  for _, body in ipairs(el.bodies) do measure(body.body) end
+  local room = 84                                      -- letters in a line
+  for j = 1, #most do room, share = room - word[j], share + most[j] ^ 0.75 end
+  for j = 1, #most do
+    most[j] = word[j] + math.max(room, 0) * most[j] ^ 0.75 / share
+    all = all + most[j]
+  end
+  for j, spec in ipairs(el.colspecs) do el.colspecs[j] = html and { spec[1] } or { spec[1], most[j] / all } end
+end
+
 local function table_block(el)
+  fit_columns(el)
   local last = el.caption.long[#el.caption.long]
   local id
   if last then
@@ -806,12 +840,29 @@ local function leave_out(blocks)
   return r
 end
 
+-- a heading with a table or a box behind it needs more room than one with words; one with such a heading behind it needs that as well
+local function keep_headings(blocks)
+  local behind, lines
+  for i = #blocks, 1, -1 do
+    local b = blocks[i]
+    if b.t == "Header" then
+      lines = behind and (behind.t == "Table" and 11 or behind.t == "Div" and (behind.classes:includes("data") and 12 or 7)) or lines and lines + 3
+      if lines and not (i > 1 and blocks[i - 1].t == "Header") then
+        blocks:insert(i, rawb((lines > 10 and "\\wRoomBefore{" or "\\wRoom{") .. lines .. "}"))
+        lines = nil
+      end
+      behind = nil
+    else behind, lines = b, nil end
+  end
+end
+
 return {
   { Meta = meta },
   { Pandoc = function(doc)
     if tex then
       doc.blocks = leave_out(doc.blocks)
       mark_places(doc.blocks)
+      keep_headings(doc.blocks)
     end
     return doc
   end },

@@ -16,9 +16,9 @@ for m in $(build/bin/weft-lab list --exact); do
 done
 for f in book/data/*.csv; do
   b=$(basename "$f" .csv)
-  ! head -1 "$f" | grep -q '^# command: tests/peers/' || continue     # other engines are in it
+  ! head -1 "$f" | grep '^# command: tests/peers/' >/dev/null || continue     # other engines are in it
   [ "$b" = mutation ] || [ "$b" = accuracy-peers-time ] || [[ $b == *-instructions ]] || [ "$b" = evaluation ] || [ "$b" = exercises ] || [ "$b" = page-weight ] || [ "$b" = page-figures ] || [ "$b" = price-parts ] || [ "$b" = price-whole ] || [ "$b" = price-bytes ] || [ "$b" = price-list ] || [[ $b == portability* ]] || [ "$b" = coverage ] || [ "$b" = abuse ] || [ "$b" = soak ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] || [ "$b" = peers-features ] || [ "$b" = peers-review ] || [ "$b" = extremes ] && continue
-  build/bin/weft-lab list | awk '{ print $1 }' | grep -qx "$b" || { echo "$f: no measurement of that name writes it -- delete it, or add the measurement"; bad=1; }
+  build/bin/weft-lab list | awk '{ print $1 }' | grep -x "$b" >/dev/null || { echo "$f: no measurement of that name writes it -- delete it, or add the measurement"; bad=1; }
 done
 # The price list is put together from tables that are there; and the chapters have not grown away from the table of their sizes.
 bash tests/parts/list.sh build/check-list.csv >/dev/null && cmp -s <(grep -v '^# weft' build/check-list.csv) <(grep -v '^# weft' book/data/price-list.csv) ||

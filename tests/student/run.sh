@@ -12,9 +12,9 @@ tests="test_integration test_headless test_broad_phase test_broad_phase_index te
 check() {      # the directory of the build, the arguments for make
   local out=$1; shift
   make --no-print-directory BUILD="$out" "$@" programs >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
-  "$out/bin/weft-headless" --list | grep -q "leapfrog fountain" || { echo "the scene is not in the testbed's list"; return 1; }
+  "$out/bin/weft-headless" --list | grep "leapfrog fountain" >/dev/null || { echo "the scene is not in the testbed's list"; return 1; }
   "$out/bin/weft-headless" --scene "leapfrog fountain" --steps 120 --hash >"$out.log" || { cat "$out.log"; return 1; }
-  "$out/bin/weft-figures" --list | grep -qx leapfrog-throw || { echo "the student's figure is not in the list of figures"; return 1; }
+  "$out/bin/weft-figures" --list | grep -x leapfrog-throw >/dev/null || { echo "the student's figure is not in the list of figures"; return 1; }
   "$out/bin/weft-lab" run leapfrog-height >"$out.log" && grep -qx '8,3.265' "$out.log" || { echo "the student's measurement is not in the lab"; return 1; }
   for t in $tests; do
     make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="tests/$t.c" test >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
@@ -53,11 +53,11 @@ boasting() {
 # One file brings everything: what check has built of it is looked at here, in the directory of that build.
 everything() {
   local out=$1
-  "$out/bin/weft-headless" --list | grep -q ' bumper ' || { echo "the scene bumper is not in the list"; return 1; }
+  "$out/bin/weft-headless" --list | grep ' bumper ' >/dev/null || { echo "the scene bumper is not in the list"; return 1; }
   grep -q '"ways"' "$out/lines/testbed/view.c" || { echo "the overlay is not in its table"; return 1; }
   "$out/bin/weft-headless" --schema > "$out.schema" && grep -q '"bumperForce": {' "$out.schema" && grep -q '"sleep", "bumpers"' "$out.schema" || { echo "the schema of scenes doesn't know the setting and the module"; return 1; }
   "$out/bin/weft-headless" --export bumper --steps 30 > "$out.json" && grep -q '"bumperForce": 2' "$out.json" || { echo "a scene as text lacks the setting"; return 1; }
-  sed 's/"bumperForce": 2/"bumperForce": 5/' "$out.json" > "$out.5.json" && "$out/bin/weft-headless" --export "$out.5.json" 2>"$out.log" | grep -q '"bumperForce": 5' || { cat "$out.log"; echo "the setting isn't read from a scene's text"; return 1; }
+  sed 's/"bumperForce": 2/"bumperForce": 5/' "$out.json" > "$out.5.json" && "$out/bin/weft-headless" --export "$out.5.json" 2>"$out.log" | grep '"bumperForce": 5' >/dev/null || { cat "$out.log"; echo "the setting isn't read from a scene's text"; return 1; }
   ${CC:-cc} -std=c11 -w -I"$out/lines/include" tests/student/bumper.c "$out/lib/libweft.a" -lm -o "$out/bumper" && "$out/bumper" "$out/bumper.save" || { echo "tests/student/bumper.c failed at step $?: the setting in a save"; return 1; }
   # its prices: bytes a body, lines; both stand in the list. Without the part the engine is the book's, file by file.
   mkdir -p "$out.prices"; cp book/data/*.csv "$out.prices/"; "$out/bin/weft-lab" run price-world > "$out.prices/price-world.csv"
