@@ -40,13 +40,15 @@ static void interface(ui *u, game *g, double seconds)
     /* name the scene */
     if (s->height >= LOW) {
         ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, g->scene->name);
+        if (!game_has_panes(s))
+            game_draw_legend(u, g, x + 12 + wfTextWidth(&wfBakedFont, 16, g->scene->name));
         if (!g->scene->alias)                               /* a task stands on its card */
-            ui_fitted(u, x, s->head - 10, WF_INK_TEXT, s->width - x - 6, g->scene->text);
+            s->head = ui_wrapped(u, x, s->head - 10, s->width - x - 6, WF_INK_TEXT,
+                                 g->scene->text) - 7;
     }
     if (s->challenge) s->head += game_card(u, g, x);
     else if (s->calm > 6) game_offer(u, g, x);
     game_state_line(u, g, x);
-    if (!game_has_panes(s)) game_draw_legend(u, g, x);
     game_time_bar(u, g);
     if (s->opened && game_drives_any(g)) game_controls(u, g);
     if (s->keys) game_key_sheet(u, s, x);
@@ -152,26 +154,20 @@ static void follow(game *g)
     c->y += 0.15f * ((float)p.y - c->y);
 }
 
-static bool sees(float x, float y, float height, wfVec2 p)
-{
-    float dx = (float)p.x - x, dy = (float)p.y - y;
-    return dx < height && dx > -height && dy < 0.6f * height && dy > -0.6f * height;
-}
-
 /* A scene that everybody has left begins again, if nobody has changed anything. */
 static void begin_again(game *g)
 {
     game_state *s = g->state;
     wfBodyView v = wfWorldBodies(&g->world);
-    const camera *c = &s->camera;
+    camera home = { .x = (float)g->scene->viewX, .y = (float)g->scene->viewY,
+                    .height = (float)g->scene->viewHeight };
     bool any = false, runs = g->input->steps < 0 && !s->paused;
     bool left = runs && !s->ends && !s->undo_count;
     for (int32_t i = 0; i < v.count && left; i++) {
         if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
         any = true;
-        left = !sees(c->x, c->y, c->height, v.state[i].p) &&
-               !sees((float)g->scene->viewX, (float)g->scene->viewY,
-                     (float)g->scene->viewHeight, v.state[i].p);
+        left = !camera_sees(&s->camera, WF_XY(v.state[i].p)) &&
+               !camera_sees(&home, WF_XY(v.state[i].p));
     }
     bool taped = s->tape == TAPE_RECORDING || s->tape == TAPE_REPLAYING;
     s->empty = left && any && !taped && !s->held.index ? s->empty + g->input->seconds : 0;

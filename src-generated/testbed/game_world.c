@@ -71,7 +71,10 @@ void game_open_scene(game *g, int row)
     s->input = (wfSceneInput){ 0 };
     s->driven = s->grasped = 0;
     s->hover = s->follow = (wfBodyId){ 0 };
-    s->plotted = (wfBodyId){ 0 };
+    if (!same) {                            /* curves of a body that is no more */
+        s->plotted = s->plots.body = (wfBodyId){ 0 };
+        s->curves &= (1 << WF_PLOT_BODY) - 1;
+    }
     s->menu = 0;
     s->empty = 0;
     s->reveal = 1;

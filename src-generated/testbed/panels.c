@@ -477,12 +477,13 @@ static float see_panel(ui *u, game *g, float x, float y, float w)
     return legend(u, g, x, y + 6);
 }
 
-/* Those kinds of bodies that the scene has, if there are others than moving and still. */
+/* Beside the scene's name: the kinds of bodies that it has, if there are others than moving
+ * and still ones. */
 void game_draw_legend(ui *u, const game *g, float x)
 {
     const game_state *s = g->state;
     uint32_t rows = u->draw ? wfLegendOf(&g->world) : 0;
-    float y = s->head + 14;
+    float y = s->head - 30;
     if (s->no_legend || s->curves || s->width < LIST_ROOM || !(rows & ~5u)) return;
     for (int i = 0; i < WF_LEGEND_BODIES; i++) {
         if (!(rows >> i & 1)) continue;
