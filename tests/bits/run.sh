@@ -36,7 +36,7 @@ rule_flags() {     # makefiles
   local f
   for f in "$@"; do
     grep -nE -e '-(ffast-math|Ofast|funsafe-math|fassociative-math|freciprocal-math|ffinite-math|fno-signed-zeros|mfpmath=387|ffp-contract=(fast|on))' "$f" | sed "s|^|$f:|; s|\$| -- this flag lets the compiler choose another rounding|"
-    grep -E '^STD *[:?]?=' "$f" | grep -qvE -e '-ffp-contract=off|tangle/std' && echo "$f: its STD lacks -ffp-contract=off"
+    grep -E '^STD *[:?]?=' "$f" | grep >/dev/null -vE -e '-ffp-contract=off|tangle/std' && echo "$f: its STD lacks -ffp-contract=off"
   done
 }
 rule_guards() {    # an include directory: compiling must fail

@@ -23,10 +23,10 @@ for d in / /usr /dev /dev/shm /weft /hand /home /etc /program; do { echo x > $d/
 mknod /tmp/device c 1 5 2>/dev/null && say "makes: a device"
 mount -t tmpfs x /mnt 2>/dev/null && say "makes: a mount"
 kill -9 $PPID 2>/dev/null; kill -9 1 2>/dev/null
-(exec 8<>/dev/udp/192.0.2.1/9) 2>&1 | grep -q unreachable && say "network: none"
+(exec 8<>/dev/udp/192.0.2.1/9) 2>&1 | grep >/dev/null unreachable && say "network: none"
 head -c 600M /dev/zero > /tmp/big 2>/dev/null; say "megabytes: $(($(stat -c %s /tmp/big) >> 20))"
 for i in 1 2 3 4 5 6; do head -c 120M /dev/zero > /tmp/big$i 2>/dev/null; done; say "in all: $(($(du -sk /tmp | cut -f1) >> 10))"
-(for i in $(seq 200); do sleep 1 & done) 2>&1 | grep -q 'Resource\|retry' && say "processes: limited"
+(for i in $(seq 200); do sleep 1 & done) 2>&1 | grep >/dev/null 'Resource\|retry' && say "processes: limited"
 say "end"
 SPY
 chmod 755 "$out/spy"; cp "$out/spy" "$out/tree/tangle/course"; chmod -R a+rX "$out"

@@ -74,6 +74,6 @@ grep -q 'the-secret-of-others\|root:x:0' $html && fail "the page shows a file fr
 for f in by-block by-inline by-math by-display by-macro by-write18; do [ -z "$(find . -maxdepth 1 -name "$f*" -newer build/course/secret.txt; find build/course -name "$f*" 2>/dev/null)" ] || fail "TeX has written $f"; done
 if command -v lualatex >/dev/null; then
   [ -s $page/still.pdf ] || { cat build/course/weave.log; fail "there is no PDF: something of the text has reached TeX as a command"; }
-  ! command -v pdftotext >/dev/null || { pdftotext $page/still.pdf - | tr -d '\n' | grep -q 'the-secret-of-others\|root:x:0' && fail "the PDF shows a file from elsewhere"; }
+  ! command -v pdftotext >/dev/null || { pdftotext $page/still.pdf - | tr -d '\n' | grep >/dev/null 'the-secret-of-others\|root:x:0' && fail "the PDF shows a file from elsewhere"; }
 fi
 echo "a chapter with TeX, HTML and files of others is woven as the text that it is"

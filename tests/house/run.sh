@@ -18,5 +18,7 @@ for s in $(sed -nE 's/^WF_(SETTING|ADVANCED)\(\w+, (\w+),.*/\2/p' src-generated/
   grep -rqE --include='*.c' --include='*.h' "(\.|->)$s( =|$)" src-generated/{testbed,lab,figures} tests || { echo "house: nobody turns the setting $s -- use it, or take it away"; bad=1; }
 done
 [ "$(grep -c '^WF_SETTING(' src-generated/include/weft/setting_rows.h)" -le 16 ] || { echo "house: wfWorldDef has more than 16 settings of its own -- WF_ADVANCED for those that few turn"; bad=1; }
+# grep -q stops reading at the first match; a program that still writes into the pipe fails of that, now and then
+told=$(grep -rnE '(^|[^|])\| *grep -[a-zA-Z]*q' tests tangle --include='*.sh' --include=install --include=run) && { echo "$told"; echo "house: grep -q behind a pipe -- write grep >/dev/null"; bad=1; }
 tests/house/readme.sh || bad=1
 exit $bad

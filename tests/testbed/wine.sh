@@ -52,7 +52,7 @@ xdotool key p; until_true "a key pauses" is paused 1
 kept() { find "$WINEPREFIX/drive_c/users" -path '*AppData/Roaming/weft*' -name "$1" 2>/dev/null | head -1; }
 old=$(kept settings.txt); [ -z "$old" ] || rm "$old"
 xdotool key d; until_true "a key makes it dark" is dark 1
-holds() { local f; f=$(kept settings.txt); [ -n "$f" ] && tr -d '\r' <"$f" | grep -qx 'dark 1'; }
+holds() { local f; f=$(kept settings.txt); [ -n "$f" ] && tr -d '\r' <"$f" | grep >/dev/null -x 'dark 1'; }
 until_true "the settings are kept in the user's folder" holds
 xdotool key exclam
 pictured() { local f; f=$(kept 'picture-*.png'); [ -n "$f" ] && identify "$f" >/dev/null 2>&1; }
