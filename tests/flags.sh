@@ -4,4 +4,4 @@ WARN_DOUBLE="-Wall -Wextra -Wpedantic -Wshadow -Wstrict-prototypes -Wmissing-pro
 WARN_FLOAT=${WARN_DOUBLE/-Wfloat-conversion/-Wdouble-promotion -Wfloat-conversion}
 SANITIZED="-O1 -g -fsanitize=address,undefined,float-cast-overflow -fno-sanitize-recover=all"
 # the compiler's name counts as well
-gcc=gcc; ! cc --version 2>/dev/null | grep -q 'Free Software Foundation' || gcc=cc
+gcc=gcc; ! cc --version 2>/dev/null | grep >/dev/null 'Free Software Foundation' || gcc=cc

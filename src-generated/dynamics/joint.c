@@ -585,7 +585,7 @@ static void aim_soft(wfJoint *j, wfJointWork *w, wfReal t, const wfJointPair *p)
     }
 }
 
-static void aim_stops(wfJoint *j, wfJointWork *w, wfReal h, wfReal t, wfGiving give,
+static void aim_stops(wfJoint *j, wfJointWork *w, wfReal h, wfReal t, const wfGiving *give,
                       const wfJointPair *p)
 {
     wfJointRow then[WF_JOINT_ROWS];
@@ -593,37 +593,37 @@ static void aim_stops(wfJoint *j, wfJointWork *w, wfReal h, wfReal t, wfGiving g
         if (w->row[i].law != WF_ROW_LIMIT) continue;
         wfLookAhead(j, h, p, then);
         wfReal over = wfMinR(w->row[i].error, 0);
-        wfReal lack = (then[i].error - give.keep * over) / h;       /* eq:joints-newton */
+        wfReal lack = (then[i].error - give->keep * over) / h;      /* eq:joints-newton */
         if (lack < 0 && wfHasTurned(&w->row[i], &then[i]))  /* sec:joints-short */
             lack = wfRateOf(&w->row[i], p->a, p->b);
         w->struck = w->struck || (lack < 0 && is_fast(p, h));
         bool ahead = w->row[i].error > 0;
         wfReal answer[3], mass = stop_mass(w, i, p, answer);
-        if (!ahead) mass *= give.mass;
-        wfReal slack = ahead ? 0 : give.impulse * (h / t) * j->impulse[i];
+        if (!ahead) mass *= give->mass;
+        wfReal slack = ahead ? 0 : give->impulse * (h / t) * j->impulse[i];
         push_stop(j, w, i, j->impulse[i] - mass * lack - slack, answer, p);
     }
 }
 
-static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t, wfGiving give,
-                      const wfJointPair *p)
+static void aim_holds(wfJoint *j, const wfJointWork *w, wfReal h, wfReal t,
+                      const wfGiving *give, const wfJointPair *p)
 {
     wfJointRow then[WF_JOINT_ROWS];
     wfReal e[3] = { 0, 0, 0 }, x[3];
     if (w->holds == 0) return;
     wfLookAhead(j, h, p, then);
     for (int k = 0; k < w->holds; k++)
-        e[k] = (then[w->hold[k]].error - give.keep * w->row[w->hold[k]].error) / h;
+        e[k] = (then[w->hold[k]].error - give->keep * w->row[w->hold[k]].error) / h;
     for (int k = 0; k < w->holds && w->struck; k++)         /* sec:joints-blow */
         e[k] = wfRateOf(&w->row[w->hold[k]], p->a, p->b);
     if (wfIsRod(j) && wfDot(w->row->jB, then->jB) < 0)      /* eq:joints-turned */
         e[0] = wfRateOf(w->row, p->a, p->b);
     else if (wfIsRod(j) && w->row[0].error > j->rest)
-        e[0] -= (1 - give.keep) * (w->row[0].error - j->rest) / h;
+        e[0] -= (1 - give->keep) * (w->row[0].error - j->rest) / h;
     solve_holds(w, e, x);
     for (int k = 0; k < w->holds; k++) {                            /* eq:joints-give */
         wfReal *sum = &j->impulse[w->hold[k]];
-        wfReal more = give.mass * x[k] - give.impulse * (h / t) * (*sum - w->answer[k]);
+        wfReal more = give->mass * x[k] - give->impulse * (h / t) * (*sum - w->answer[k]);
         wfPushRow(&w->row[w->hold[k]], more, p->a, p->b);
         *sum += more;
     }
@@ -929,14 +929,14 @@ static void warm_pin(wfPin *q, const wfSolve *in, bool heavier, wfReal share)
     push_pin(q, q->impulse, a, b);
 }
 
-static void aim_pin(wfPin *q, const wfSolve *in, wfReal h, wfReal t, wfGiving give)
+static void aim_pin(wfPin *q, const wfSolve *in, wfReal h, wfReal t, const wfGiving *give)
 {
     wfBodyState *a = &in->state[q->a], *b = &in->state[q->b];
     wfVec2 arms = wfSub(arm_change(q->rB, h * b->w), arm_change(q->rA, h * a->w));
-    wfVec2 way = wfAddScaled(arms, 1 - give.keep, q->d);
+    wfVec2 way = wfAddScaled(arms, 1 - give->keep, q->d);
     wfVec2 e = wfAddScaled(wfSub(b->v, a->v), 1 / h, way);          /* eq:joints-newton */
-    wfVec2 more = wfScale(-give.mass, divide_pin(q, e));            /* eq:joints-give */
-    more = wfAddScaled(more, -give.impulse * (h / t), q->impulse);
+    wfVec2 more = wfScale(-give->mass, divide_pin(q, e));            /* eq:joints-give */
+    more = wfAddScaled(more, -give->impulse * (h / t), q->impulse);
     push_pin(q, more, a, b);
     q->impulse = wfAdd(q->impulse, more);
 }
@@ -1073,7 +1073,7 @@ static bool has_stops(const wfJointSet *set)
 }
 
 static void solve_one(wfJointSet *set, const wfSolve *in, int32_t i, wfReal dt,
-                      wfGiving give, bool soft, bool renew)
+                      const wfGiving *give, bool soft, bool renew)
 {
     /* solve it if it is a plain hinge */
     if (set->pins[i].on) {
@@ -1112,7 +1112,7 @@ static void solve_joints(void *context, const wfSolve *in, const wfMoved *moved,
         set->together(set, in, moved, dt, soft);
     wfGiving give = wfGivingOf(set);
     for (int32_t k = 0; k < set->count; k++)
-        solve_one(set, in, pass % 2 == 0 || renew ? k : set->count - 1 - k, dt, give, soft,
+        solve_one(set, in, pass % 2 == 0 || renew ? k : set->count - 1 - k, dt, &give, soft,
                   renew);
     if (set->together != NULL) set->together(set, in, moved, dt, soft);
     if (soft) set->built = false;           /* the bodies are about to move */
