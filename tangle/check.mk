@@ -24,7 +24,7 @@ golden: programs programs-double
 	@build/bin/weft-headless --schema > testbed/scenes/scene.schema.json
 	@tests/json/run.sh --record > tests/golden/files.csv; wc -l tests/golden/*.csv
 # Every scene on every platform that can be emulated; STEPS=n: other than the recorded number. Installs cross compilers and emulators
-# (2 GB), goes on where it was interrupted, and writes book/data/portability.csv.
+# (2 GB), goes on where it was interrupted, and writes book/data/portability.csv. run.sh --pack and --take let another machine run a part.
 portability:
 	@tangle/install portability || echo "Going on with what is here."
 	@tests/portability/run.sh; rc=$$?; tests/portability/run.sh --table > build/portability/table.csv && cp build/portability/table.csv book/data/portability.csv; \

@@ -6,6 +6,9 @@
 #   tests/portability/run.sh --leaks        builds with flags that the project forbids, whose bits must differ
 #   tests/portability/run.sh --table        the finished ones as book/data/portability.csv shows them (what make portability writes)
 #   tests/portability/run.sh --ends ...     the same with the worlds of tests/ends.h (ends.c) in place of the scenes; 30 steps
+#   tests/portability/run.sh --pack DIR [NAME ...]   builds, and puts into DIR what another machine needs to run what is not finished here,
+#                          without compilers and emulators: go.sh, which says how, and an archive. Twice, once with --ends: both
+#   tests/portability/run.sh --take FOLDER           files what go.sh wrote into FOLDER as if it had been run here; run.sh NAME ... compares it
 # STEPS=n  steps of each scene; without it as many as the golden files have. Other numbers are compared with the first build instead.
 # JOBS=n   compilations at a time (default 2). What was finished is kept in build/portability and not run again unless a source, a
 # flag or STEPS changes; a run that was interrupted goes on with the next scene. So a run with few steps (STEPS=100: half an hour, most of
@@ -16,8 +19,8 @@ cd "$(dirname "$0")/../.." || exit 1
 out=${OUT:-build/portability} here=tests/portability
 mkdir -p $out
 [ -f build/tangle.stamp ] || make --no-print-directory tangle || exit 1
-only=() cheap= table= leaks= program=scenes
-for a in "$@"; do case $a in --cheap) cheap=1 ;; --table) table=1 ;; --leaks) leaks=1 ;; --ends) program=ends ;; *) only+=("$a") ;; esac; done
+only=() cheap= table= leaks= pack= take= program=scenes
+while [ $# -gt 0 ]; do a=$1; shift; case $a in --pack) pack=${1?--pack: into which folder?}; shift ;; --take) take=${1?--take: from which folder?}; shift ;; --cheap) cheap=1 ;; --table) table=1 ;; --leaks) leaks=1 ;; --ends) program=ends ;; *) only+=("$a") ;; esac; done
 # What is kept of a run: DIRECTORY/KIND-STEPS. That of the scenes, which came first, has no name in it.
 of=$([ $program = scenes ] || echo $program-)
 golden() { [ $program = scenes ] || return 0; case $1 in float) echo tests/golden/scenes.csv ;; double) echo tests/golden/scenes-double.csv ;; esac; }
@@ -87,6 +90,34 @@ wanted() {     # the hashes to be compared with: golden, or the first build of t
   if [ -n "$g" ] && [ -f "$g" ] && awk -F, -v s="$STEPS" '$2 ~ /^[0-9]+$/ && $2 != s { bad = 1 } END { exit bad }' "$g"; then grep -E ',[0-9]+,[0-9a-f]{16}$' "$g"
   elif [ -f "$out/${of}want-$1-$STEPS-$sums.csv" ]; then cat "$out/${of}want-$1-$STEPS-$sums.csv"; fi
 }
+libraries() { ldd "$1" | sed -nE 's/^[[:space:]]*([^ ]+ => )?(\/[^ ]+) \(0x.*/\2/p'; }
+pack() {       # name, directory, what runs it: the program and how it is started, with every file that this needs
+  local d=$2 by=$3 s=$stage start=$2/$program lib root f
+  mkdir -p "$s/$1" "$s/bin"; cp "$d/$program" "$s/$1/"
+  if [ -n "$by" ]; then
+    start=$(command -v "${by%% *}") root=${by##*-L } by="bin/${by%% *} -L ${by##*/}"
+    cp "$start" "$s/bin/"
+    for f in $(readelf -ld "$d/$program" | sed -nE 's/.*(program interpreter: |NEEDED.*\[)([^]]+)\].*/\2/p'); do f=lib/${f##*/}; install -D "$root/$f" "$s/${root##*/}/$f"; done
+  fi
+  lib=lib-$(readelf -h "$start" | sed -n 's/.*Class: *//p')
+  mkdir -p "$s/$lib"; for f in $(libraries "$start"); do cp -L "$f" "$s/$lib/"; done
+  touch "$s/tasks"; sed -i "/^$program|$1|/d" "$s/tasks"
+  echo "$program|$1|$STEPS|$([ $program = scenes ] && grep -cE ',[0-9]+,[0-9a-f]{16}$' tests/golden/scenes.csv || echo 0)|$lib/$(cd "$s/$lib" && echo ld-linux*) --library-path $lib $by $1/$program" >> "$s/tasks"
+}
+if [ -n "$pack" ]; then
+  stage=$(mktemp -d) && trap 'rm -rf "$stage"' EXIT
+  [ "$(cat "$pack/sums" 2>/dev/null)" = "$sums" ] && tar xzf "$pack/programs.tgz" -C "$stage"
+fi
+if [ -n "$take" ]; then       # lines of go.sh: program|name|steps|row, or the first of many rows|seconds|what was printed
+  taken=$(cat "$take/results-$sums"*.txt) || exit 1
+  for t in $(echo "$taken" | cut -d'|' -f1-3 | sort -u); do
+    IFS='|' read -r p name steps <<< "$t"; of=$([ "$p" = scenes ] || echo "$p-") d=$out/$name
+    [ -f "$d/key" ] && [ ! -f "$d/${of}done-$steps" ] || continue
+    echo "$taken" | grep "^$t|" | sort -t'|' -k4,4n -su | awk -F'|' '$4 != NR - 1 { exit } { print $6 }' > "$d/${of}hashes-$steps.csv"
+    echo "take  $name: $(wc -l < "$d/${of}hashes-$steps.csv") $p, $steps steps"
+  done
+  exit 0
+fi
 
 ran=0 unequal=0 listed=0 skipped=
 # The longest finished run of a build of the sources as they are: its number of steps.
@@ -111,6 +142,10 @@ while IFS='|' read -r name platform kind reals cc flags by needs; do
   [ -n "$lack" ] && { echo "skip  $name: not here: $lack"; skipped="$skipped $name"; continue; }
   d=$out/$name; all=$flags; [ "$reals" = double ] && all="$flags -DWF_DOUBLE"
   build "$d" "$cc" "$all" > $out/build-$name.log 2>&1 || { tail -15 $out/build-$name.log; echo "FAIL  $name: does not compile"; unequal=$((unequal + 1)); continue; }
+  if [ -n "$pack" ]; then
+    [ -f "$d/${of}done-$STEPS" ] || case $by in node|wine) echo "stays $name: $by" ;; *) pack "$name" "$d" "$by" && echo "pack  $name" ;; esac
+    continue
+  fi
   got=$d/${of}hashes-$STEPS.csv; touch "$got"
   if [ ! -f "$d/${of}done-$STEPS" ]; then
     first=$(wc -l < "$got"); t=$SECONDS
@@ -141,6 +176,7 @@ if [ -n "$table" ]; then
   cat "$out/rows.$$"; rm -f "$out/rows.$$"
   exit 0
 fi
+[ -n "$pack" ] && { [ -f "$stage/tasks" ] && mkdir -p "$pack" && tar czf "$pack/programs.tgz" -C "$stage" . && cp $here/go.sh "$pack/" && echo "$sums" > "$pack/sums"; exit $((unequal > 0)); }
 [ $ran -eq 0 ] && [ $unequal -eq 0 ] && { echo "portability: no platform could be run:$skipped"; exit 77; }
 [ $unequal -gt 0 ] && { echo "portability: $unequal platforms differ -- look at build/portability/NAME/hashes-$STEPS.csv; if a change of arithmetic is meant: make golden"; exit 1; }
 [ -n "$leaks" ] && { echo "$ran ways to get other bits, each of which gives them"; exit 0; }
