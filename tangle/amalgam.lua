@@ -324,7 +324,13 @@ end
 system["<string.h>"] = nil
 local c = banner("weft.c", "in two files: this one and weft.h.") .. [[
 ]] .. "   " .. flags .. "\n" .. [[
-   (the -f switches keep the same bits on every machine; without them wfCreateWorld may answer WF_ERROR_BUILD) */
+   (the -f switches keep the same bits on every machine. gcc and clang are asked for them here as well, so that a forgotten one
+   changes nothing; what can't be mended so, such as -ffast-math, wfCreateWorld answers with WF_ERROR_BUILD) */
+#if defined __clang__
+#pragma STDC FP_CONTRACT OFF
+#elif defined __GNUC__
+#pragma GCC optimize("fp-contract=off", "no-tree-vectorize")
+#endif
 ]] .. table.concat(first, "\n") .. [[
 
 #include "weft.h"

@@ -78,7 +78,8 @@ static bool is_bare(const wfSeam *s, int32_t i, Stretch below)
     wfVec2 n = s->tile.shape->normals[i], t = wfPerpCCW(n);
     wfVec2 start = wfAddScaled(s->tile.shape->vertices[i], s->flush, n);
     bool more = true;
-    while (more) {
+    /* a tile moves the beginning once; more often only where numbers are stored rounded */
+    for (int32_t left = s->count; more && left >= 0; left--) {
         more = false;
         for (int32_t k = 0; k < s->count && !more; k++) {
             wfTransform rel = wfRelativePose(s->beside[k].at, s->tile.at);

@@ -736,7 +736,7 @@ static wfResult strike(struct wfStep *s, wfPair p, const int32_t who[2], wfReal 
     s->impactCount++;
     if (!(impulse > 0)) return WF_OK;
     return note_strike(s, (wfImpactEvent){ .pair = p, .speed = speed, .impulse = impulse,
-        .bounced = c->restitution > 0 && speed > resting_speed(s),
+        .bounced = (wfReal)(c->restitution > 0 && speed > resting_speed(s)),
         .point = c->manifold.points[where].point, .normal = c->manifold.normal });
 }
 
