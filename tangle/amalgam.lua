@@ -329,7 +329,7 @@ local c = banner("weft.c", "in two files: this one and weft.h.") .. [[
 #if defined __clang__
 #pragma STDC FP_CONTRACT OFF
 #elif defined __GNUC__
-#pragma GCC optimize("fp-contract=off", "no-tree-vectorize")
+#pragma GCC optimize("fp-contract=off", "no-math-errno", "no-tree-vectorize")
 #endif
 ]] .. table.concat(first, "\n") .. [[
 

@@ -49,12 +49,12 @@ done
 # whoever forgets the switches has the same bits, with this machine's own instructions as well
 for cc in gcc clang; do
   # shellcheck disable=SC2086
-  $cc $c -O3 -march=native -w -I"$a" -c "$a/weft.c" -o "$work/forgot.o" && gcc $c -O1 -w -I"$a" '-DWEFT_HEADER="weft.h"' -c tests/amalgam/scenes.c -o "$work/forgot-scenes.o" && gcc "$work/forgot.o" "$work/forgot-scenes.o" -o "$work/forgot" &&
+  $cc $c -O3 -march=native -w -I"$a" -c "$a/weft.c" -o "$work/forgot.o" && gcc $c -O1 -w -I"$a" '-DWEFT_HEADER="weft.h"' -c tests/amalgam/scenes.c -o "$work/forgot-scenes.o" && gcc "$work/forgot.o" "$work/forgot-scenes.o" -lm -o "$work/forgot" &&
     "$work/forgot" | diff "$work/library.txt" - || { echo "amalgam: with no switch but -O3 -march=native $cc makes other bits, or is refused"; exit 1; }
 done
 sed '/^#pragma STDC FP_CONTRACT\|^#pragma GCC optimize/d' "$a/weft.c" > "$work/bare.c"
 # shellcheck disable=SC2086
-! grep -qw fma /proc/cpuinfo || { gcc $c -O3 -march=native -w -I"$a" -c "$work/bare.c" -o "$work/forgot.o" && gcc "$work/forgot.o" "$work/forgot-scenes.o" -o "$work/forgot" && "$work/forgot" 2>/dev/null | cmp -s "$work/library.txt" - && { echo "amalgam: the pragmas of weft.c are not needed: this test tries nothing"; exit 1; }; }
+! grep -qw fma /proc/cpuinfo || { gcc $c -O3 -march=native -w -I"$a" -c "$work/bare.c" -o "$work/forgot.o" && gcc "$work/forgot.o" "$work/forgot-scenes.o" -lm -o "$work/forgot" && "$work/forgot" 2>/dev/null | cmp -s "$work/library.txt" - && { echo "amalgam: the pragmas of weft.c are not needed: this test tries nothing"; exit 1; }; }
 cmp -s "$work/library.txt" "$work/library-double.txt" && { echo "amalgam: single and double precision have the same hashes"; exit 1; }
 tests/amalgam/smallest.sh || exit 1
 lines=$(cat "$a"/weft.[hc] | wc -l)
