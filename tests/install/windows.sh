@@ -31,5 +31,12 @@ for p in scene static; do
   [ "$got" = "$want" ] || { echo "dll: $p.exe under Wine has the hash $got, on Linux it is $want"; exit 1; }
 done
 for p in user cxx; do [ ! -f "$work/$p.exe" ] || (cd "$work" && timeout 200 wine ./$p.exe); done
+# files are replaced as a whole there, too: two programs save to one path and load what is there, and nothing is left beside it
+$cc -std=c11 $flags tests/install/saves.c "$work/weft/lib/libweft.a" -o "$work/saves.exe"
+mkdir "$work/saved"
+(cd "$work/saved" && timeout 200 wine ../saves.exe world.weft 150) & one=$!
+(cd "$work/saved" && timeout 200 wine ../saves.exe world.weft 150) || { echo "dll: saving under Wine"; exit 1; }
+wait $one || { echo "dll: saving under Wine beside another"; exit 1; }
+[ "$(ls -A "$work/saved")" = world.weft ] || { echo "dll: saves left behind: $(ls -A "$work/saved")"; exit 1; }
 wineserver -k 2>/dev/null || true
-echo "dll: run by Wine, with the hash of Linux: $want"
+echo "dll: run by Wine, with the hash of Linux: $want; two savers of one path, 300 saves, none torn"
