@@ -725,7 +725,7 @@ local function meta(m)
     elseif e.name == me then m.prev, m.next = nav(e), nav(written[i + 1]) end
   end
   m.toc = pandoc.MetaBlocks { rawb(require "contents"(db, here, (mine.base:gsub("%.%a+$", "")))) }
-  m.pagetitle = pandoc.MetaString(title or mine.slides or ({ glossary = "Glossary" })[mine.base] or "Formulas and their code")
+  m.pagetitle = pandoc.MetaString(title or mine.slides or ({ glossary = "Glossary", extending = "Where Weft is extended" })[mine.base] or "Formulas and their code")
   m.page = pandoc.MetaString(mine.base)
   return m
 end

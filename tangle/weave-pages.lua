@@ -14,7 +14,7 @@ local function fill(template, values)
   end))
 end
 
-local lists = { { "subjects.html", "Subject index" }, { "glossary.html", "Glossary" }, { "formulas.html", "Formulas and their code" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
+local lists = { { "subjects.html", "Subject index" }, { "glossary.html", "Glossary" }, { "formulas.html", "Formulas and their code" }, { "extending.html", "Where Weft is extended" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
   { "sources.html", "Assembled sources" }, { "bibliography.html", "Bibliography" } }
 local function list_links(db)
   local t = {}

@@ -133,7 +133,7 @@ do
   end
 end
 local volume_of = {}                       -- a page's volume; what is not in the plan goes to the first
-local reserved = { index = 1, subjects = 1, glossary = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
+local reserved = { index = 1, subjects = 1, glossary = 1, extending = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
 local online = {}                          -- pages and anchors that the print has not
 local taken = {}                           -- a printed number: the file of its chapter
 for _, e in ipairs(entries) do taken[e.num] = "book/plan.tsv" end
@@ -1081,6 +1081,10 @@ if not how then
   os.execute("mkdir -p " .. sh(out))
   Code.write_if_changed(out .. "/glossary.md", "# Glossary {.unnumbered}\n\n" .. table.concat(t))
   Code.write_if_changed(out .. "/glossary.lua", 'return {["base"]="glossary",["chunks"]={},["file"]="book/glossary.tsv"}\n')
+  -- a page of the first volume that tangle/extensions makes, and that print has no room for
+  local extending = (Code.read(root .. "EXTENDING.md") or "# Where Weft is extended\n"):gsub("^(# [^\n]*)", "%1 {.unnumbered}")
+  Code.write_if_changed(out .. "/extending.md", extending)
+  Code.write_if_changed(out .. "/extending.lua", 'return {["base"]="extending",["chunks"]={},["file"]="EXTENDING.md"}\n')
 end
 db.glossary = glossary
 

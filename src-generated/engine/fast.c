@@ -704,7 +704,7 @@ static wfResult note_strike(struct wfStep *s, wfImpactEvent now)
     bool known = at > 0 && !wfPairPrecedes(s->strikes[at - 1].pair, now.pair);
     if (known) {
         wfImpactEvent *old = &s->strikes[at - 1];
-        now.impulse += old->impulse, now.bounced = now.bounced || old->bounced;
+        now.impulse += old->impulse, now.bounced = wfMaxR(now.bounced, old->bounced);
         if (old->speed > now.speed)
             now.speed = old->speed, now.point = old->point, now.normal = old->normal;
         *old = now;

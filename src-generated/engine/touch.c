@@ -529,7 +529,7 @@ static wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
     const wfImpactEvent *strike = strike_of(s, a, b);
     if (strike != NULL) {
         told.impulse += strike->impulse;
-        told.bounced = told.bounced || strike->bounced;
+        told.bounced = told.bounced || strike->bounced > 0;
         told.speed = wfMaxR(told.speed, strike->speed);
     }
     return told;
