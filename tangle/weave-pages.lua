@@ -18,7 +18,7 @@ local lists = { { "subjects.html", "Subject index" }, { "glossary.html", "Glossa
   { "sources.html", "Assembled sources" }, { "bibliography.html", "Bibliography" } }
 local function list_links(db)
   local t = {}
-  for i, l in ipairs(lists) do if i > 2 or i == 1 and db.indexed or i == 2 and #db.glossary > 0 then t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end end
+  for i, l in ipairs(lists) do if i > 2 and l[1] ~= "extending.html" or i == 1 and db.indexed or i == 2 and #db.glossary > 0 or l[1] == "extending.html" and db.extending then t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end end
   return "<ul>" .. table.concat(t) .. "</ul>"
 end
 

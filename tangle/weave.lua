@@ -1082,9 +1082,12 @@ if not how then
   Code.write_if_changed(out .. "/glossary.md", "# Glossary {.unnumbered}\n\n" .. table.concat(t))
   Code.write_if_changed(out .. "/glossary.lua", 'return {["base"]="glossary",["chunks"]={},["file"]="book/glossary.tsv"}\n')
   -- a page of the first volume that tangle/extensions makes, and that print has no room for
-  local extending = (Code.read(root .. "EXTENDING.md") or "# Where Weft is extended\n"):gsub("^(# [^\n]*)", "%1 {.unnumbered}")
-  Code.write_if_changed(out .. "/extending.md", extending)
-  Code.write_if_changed(out .. "/extending.lua", 'return {["base"]="extending",["chunks"]={},["file"]="EXTENDING.md"}\n')
+  local extending = Code.read(root .. "EXTENDING.md")
+  db.extending = extending ~= nil
+  if extending then
+    Code.write_if_changed(out .. "/extending.md", (extending:gsub("^(# [^\n]*)", "%1 {.unnumbered}")))
+    Code.write_if_changed(out .. "/extending.lua", 'return {["base"]="extending",["chunks"]={},["file"]="EXTENDING.md"}\n')
+  end
 end
 db.glossary = glossary
 
