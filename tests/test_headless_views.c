@@ -25,9 +25,8 @@ static double half_width(const wfScene *scene)
     return most;
 }
 
-static void scenes_open_with_their_bodies_in_view(void **state)
+TEST(scenes_open_with_their_bodies_in_view)
 {
-    (void)state;
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);
         double shape = s->viewShape > 0 ? (double)s->viewShape : 1.59;
@@ -47,13 +46,12 @@ static void open_on_a_telephone(play *p, const char *scene)
 }
 
 /* A sentence that is wider than a telephone goes on in another line, and the world begins below it. */
-static void a_long_sentence_has_more_lines(void **state)
+TEST(a_long_sentence_has_more_lines)
 {
-    (void)state;
     play p;
     int longer = 0;
     float least = 1e9f, shortest = 1e9f, room = 0;
-    play_begin(&p, 390, 844, 1);
+    p = play_open(390, 844, 1);
     for (int i = 0; i < wfSceneCount(); i++) {
         const wfScene *s = wfSceneAt(i);
         if (s->alias) continue;
@@ -78,11 +76,10 @@ static void a_long_sentence_has_more_lines(void **state)
 }
 
 /* The curves of a body stay when its scene begins again, and go when another one is opened. */
-static void a_bodys_curves_go_with_its_scene(void **state)
+TEST(a_bodys_curves_go_with_its_scene)
 {
-    (void)state;
     play p;
-    play_begin(&p, 1100, 700, 1);
+    p = play_open(1100, 700, 1);
     play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
     state_of(&p)->curves = 1 | 3 << WF_PLOT_BODY;
     play_run(&p, "steps 1\nwait 3\nsteps 0\nkey r\nframe\nframe\n");
@@ -93,24 +90,14 @@ static void a_bodys_curves_go_with_its_scene(void **state)
 }
 
 /* Two balls roll away for ever; what is in view is at rest, and so something is offered. */
-static void who_has_left_does_not_hold_up_the_offers(void **state)
+TEST(who_has_left_does_not_hold_up_the_offers)
 {
-    (void)state;
     play p;
-    play_begin(&p, 1100, 700, 1);
+    p = play_open(1100, 700, 1);
     p.sparing = true;
     play_run(&p, "steps 0\nscene free-fall\nframe\nsteps 1\nwait 240\n");
     assert_null(play_line(&p, "widget Throw a ball"));
     play_run(&p, "steps 1\nwait 1200\n");
     assert_non_null(play_line(&p, "widget Throw a ball"));
     play_end(&p);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scenes_open_with_their_bodies_in_view), cmocka_unit_test(a_long_sentence_has_more_lines),
-        cmocka_unit_test(a_bodys_curves_go_with_its_scene), cmocka_unit_test(who_has_left_does_not_hold_up_the_offers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }
