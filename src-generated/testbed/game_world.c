@@ -147,9 +147,11 @@ wfResult game_make_room(void *context, uint32_t modules)
     size_t bytes, transient, mark = wfPoolMark(&g->scratch);
     wfResult result = wfGetWorldDef(&g->world, &room);
     if (result != WF_OK) return result;
+    const char *full = modules == 0 ? wfLastFault(&g->world)->field : "";   /* a step's */
     for (int i = 0; i < wfSettingCount; i++) {
         const wfSetting *row = &wfSettingTable[i];
         double now = wfSettingValue(&room, row, 0);
+        if (full[0] != 0 && strcmp(full, row->name) != 0) continue;
         if (row->builtIn && row->kind == WF_SETTING_INT)
             wfPutSetting(&room, row, 0, 2 * now + 16 < row->most ? 2 * now + 16 : now);
     }

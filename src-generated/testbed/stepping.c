@@ -114,7 +114,7 @@ static wfResult step_one(game *g)
     if (g->noted) game_note_input(g);
     if (g->scene->update) g->scene->update(&g->world, &s->input);
     wfResult result = take_step(g);
-    for (int i = 0; i < 4 && result == WF_ERROR_FULL; i++)
+    for (int i = 0; i < 8 && result == WF_ERROR_FULL; i++)
         if (game_make_room(g, 0) == WF_OK) result = take_step(g);
     s->notes += g->noted && result == WF_OK;
     return result;

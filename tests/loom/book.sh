@@ -66,7 +66,7 @@ else echo "no browser here: the page's script is not tested"; fi
 
 # ---- a prose edit remakes one page, soon
 # (a copy that is made already: with what the pages were made of, and its times)
-mkdir -p "$work/copy/build" "$work/copy/tests"; cp -a Makefile tangle chapters book "$work/copy/"; cp -a tests/examples "$work/copy/tests/"
+mkdir -p "$work/copy/build" "$work/copy/tests"; cp -a Makefile EXTENDING.md tangle chapters book "$work/copy/"; cp -a tests/examples "$work/copy/tests/"
 for f in weave book web bin lib obj gen lines plain chapters.list tangle.stamp live.list flags; do [ ! -e "$build/$f" ] || cp -a "$build/$f" "$work/copy/build/"; done
 again() { ( cd "$work/copy" && env -u MAKEFLAGS -u MAKELEVEL -u BUILD make --no-print-directory html ) > "$work/again" 2>&1; }
 if again; then
