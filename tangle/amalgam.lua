@@ -333,6 +333,7 @@ local c = banner("weft.c", "in two files: this one and weft.h.") .. [[
 #endif
 ]] .. table.concat(first, "\n") .. [[
 
+#define WF_IN_ONE_FILE
 #include "weft.h"
 ]] .. includes() .. [[
 

@@ -25,9 +25,11 @@
 #define WF_FETCH_SOON(address) ((void)(address))
 #endif
 
-/* In place of inline: where size counts, one copy that is called. clang reckons rightly. */
+/* In place of inline: in weft.c, where size counts, one copy that is called. clang reckons
+   rightly. */
 #ifndef WF_ONE_COPY
-#if defined __OPTIMIZE_SIZE__ && defined __GNUC__ && !defined __clang__
+#if defined WF_IN_ONE_FILE && defined __OPTIMIZE_SIZE__ && defined __GNUC__ \
+    && !defined __clang__
 #define WF_ONE_COPY __attribute__((noinline, unused))
 #else
 #define WF_ONE_COPY inline
