@@ -7,6 +7,7 @@
  * Perceptual tolerance: a picture is kept in a quarter of its size, which is what blurs; then no square of 3 x 3 of these pixels
  * may differ by more than 9 of 255 steps in the mean of any colour. Letters may move by a third of a pixel and edges may change
  * their grey; a row that moves by its height, a colour, a word may not. */
+#define OWN_MAIN
 #include "../play.h"
 #include <stdio.h>
 #define STB_IMAGE_IMPLEMENTATION
