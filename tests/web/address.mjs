@@ -1,15 +1,8 @@
 // address.mjs: the testbed's address in Chromium: it follows the scene and its settings, Back and Forward go there, an unknown scene is told,
 // and a link holds a world that was changed.
 //   node tests/web/address.mjs build/book/html          needs playwright-core (tests/web/run.sh brings it)
-import { createRequire } from 'node:module';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
-const html = resolve(process.argv[2]);
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
-let failed = 0, checks = 0;
-const check = (truth, text) => { checks++; if (!truth) { failed++; console.log('address: ' + text); } return truth; };
+import { join } from 'node:path';
+import { browser, check, end, html } from './browser.mjs';
 const open = async (hash, reducedMotion = 'no-preference') => {
   const context = await browser.newContext({ viewport: { width: 1100, height: 720 }, reducedMotion }), page = await context.newPage();
   page.on('pageerror', e => check(false, e.message));
@@ -78,6 +71,4 @@ check(url.length > 100 && url.length < 8500, `the link has ${url.length} letters
 const came = await open(url.replace(/^[^#]*/, ''), 'reduce');       // it begins paused
 await came.until('bodies', bodies);
 await came.until('hash', hash);
-await browser.close();
-console.log(`address: ${checks} checks, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await end();

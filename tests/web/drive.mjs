@@ -1,14 +1,7 @@
 // drive.mjs: scenes that are driven on a telephone: two fingers on two buttons, one that holds a body beside one on a button, and tilt.
 //   node tests/web/drive.mjs build/book/html          needs playwright-core (tests/web/run.sh brings it)
-import { createRequire } from 'node:module';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
-const html = resolve(process.argv[2]);
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
-let failed = 0, checks = 0;
-const check = (truth, text) => { checks++; if (!truth) { failed++; console.log('drive: ' + text); } return truth; };
+import { join } from 'node:path';
+import { browser, check, end, html } from './browser.mjs';
 const same = (a, b, text) => check(a === b, `${text}: ${a}, and not ${b}`);
 const LEFT = 1, RIGHT = 2, UP = 4, DOWN = 8;
 
@@ -155,6 +148,4 @@ for (const [name, width, height] of [['upright', 390, 844], ['lying', 844, 390]]
   }
   await phone.close();
 }
-await browser.close();
-console.log(`drive: ${checks} checks, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await end();

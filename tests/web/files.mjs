@@ -1,17 +1,11 @@
 // files.mjs: scenes that are files, in the testbed's page: each is in the list, is opened by its name, and has the bits of the program without a window.
 //   node tests/web/files.mjs build/book/html build/bin/weft-headless          needs playwright-core (tests/web/run.sh brings it)
-import { createRequire } from 'node:module';
 import { readdirSync, readFileSync } from 'node:fs';
 import { execFileSync } from 'node:child_process';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
-const html = resolve(process.argv[2]), headless = process.argv[3], STEPS = 60;
+import { join } from 'node:path';
+import { browser, check, end, html } from './browser.mjs';
+const headless = process.argv[3], STEPS = 60;
 const files = readdirSync('testbed/scenes').filter(f => f.endsWith('.json') && !f.endsWith('.schema.json')).map(f => 'testbed/scenes/' + f);
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
-let failed = 0, checks = 0;
-const check = (truth, text) => { checks++; if (!truth) { failed++; console.log('files: ' + text); } return truth; };
 const same = (a, b, text) => check(a === b, `${text}: ${a}, and not ${b}`);
 const open = async hash => {
   const page = await browser.newPage({ viewport: { width: 1100, height: 760 } });
@@ -59,6 +53,4 @@ await told.waitForTimeout(1500);
 check(+await fact(told, 'steps') > 10, `seesaw makes ${await fact(told, 'steps')} steps`);
 check((await told.evaluate(() => location.hash)).startsWith('#scene=seesaw'), `the address says ${await told.evaluate(() => location.hash)}`);
 await told.close();
-await browser.close();
-console.log(`files: ${checks} checks, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await end();

@@ -2,14 +2,10 @@
 //   node tests/web/frames.mjs build/book/html WORLD.save WIDTH HEIGHT          prints: median,slowest,steps,bodies
 // The world is put where the browser keeps it, and the key A fetches it. Counted is what the page's own thread does for a frame (step, drawing, handing
 // the picture to the canvas); the screen is Chromium's, without a graphics card.
-import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
-const [html, save, width, height] = [resolve(process.argv[2]), readFileSync(process.argv[3]).toString('base64'), +process.argv[4], +process.argv[5]];
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
+import { join } from 'node:path';
+import { browser, html } from './browser.mjs';
+const [save, width, height] = [readFileSync(process.argv[3]).toString('base64'), +process.argv[4], +process.argv[5]];
 const page = await browser.newPage({ viewport: { width, height: height + 50 } });
 await page.addInitScript(save => localStorage.setItem('weft/world.save', save), save);
 await page.goto('file://' + join(html, 'testbed.html#scene=pyramid'));

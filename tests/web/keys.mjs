@@ -1,14 +1,7 @@
 // keys.mjs: the testbed's page without a mouse and without eyes: Tab leaves the canvas, every widget has a name and can be pressed, motion waits.
 //   node tests/web/keys.mjs build/book/html          needs playwright-core (tests/web/run.sh brings it)
-import { createRequire } from 'node:module';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
-const html = resolve(process.argv[2]);
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
-let failed = 0, checks = 0;
-const check = (truth, text) => { checks++; if (!truth) { failed++; console.log('keys: ' + text); } return truth; };
+import { join } from 'node:path';
+import { browser, check, end, html } from './browser.mjs';
 const open = async (motion) => {
   const context = await browser.newContext({ viewport: { width: 1100, height: 720 }, reducedMotion: motion }), page = await context.newPage();
   page.on('pageerror', e => check(false, e.message));
@@ -44,6 +37,4 @@ check((await page.getByRole('status').textContent()).includes('paused'), `the li
 const calm = await open('reduce');
 check(await calm.tell('paused') === '1', 'with reduced motion it runs from the start');
 check(+await calm.tell('steps') < 3, `with reduced motion it has made ${await calm.tell('steps')} steps`);
-await browser.close();
-console.log(`keys: ${checks} checks, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await end();

@@ -1,17 +1,9 @@
 // media.mjs: what the book's pages load, and when; what can be taken out of them (pictures, drawings, films); how they look by night.
 //   node tests/web/media.mjs build/book/html          needs playwright-core and axe-core (tests/web/run.sh brings them)
-import { createRequire } from 'node:module';
 import { existsSync, readFileSync } from 'node:fs';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
+import { join } from 'node:path';
+import { browser, check, end, fail, html, require } from './browser.mjs';
 const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
-const html = resolve(process.argv[2]);
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
-let failed = 0, checks = 0;
-const fail = text => { failed++; console.log('media: ' + text); };
-const check = (truth, text) => { checks++; if (!truth) fail(text); return truth; };
 const open = async (context, file) => {
   const page = await context.newPage();
   page.on('console', m => { if (m.type() === 'error') fail(`${file}: the console says: ${m.text()}`); });
@@ -202,6 +194,4 @@ for (const dark of [true, false, true]) {
   const { right, word } = await looks(whole, 'testbed.html', dark), c = await canvas(whole.locator('#testbed'));
   check(right(c.paper) && c.contrast > 4.5, `the testbed ${word}: paper ${c.paper.toFixed(2)}, contrast ${c.contrast.toFixed(1)}`);
 }
-await browser.close();
-console.log(`media: ${checks} checks, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await end();

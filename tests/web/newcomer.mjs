@@ -1,16 +1,10 @@
 // newcomer.mjs: somebody who has never seen the book opens it, finds the testbed, chooses a scene, changes the solver and sees the
 // difference: in less than a minute, at a human's pace (a pause before each action, a mouse that travels, keys one by one).
 //   node tests/web/newcomer.mjs build/book/html
-import { createRequire } from 'node:module';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
-const html = resolve(process.argv[2]);
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
+import { join } from 'node:path';
+import { browser, check, end, html } from './browser.mjs';
 const page = await (await browser.newContext({ viewport: { width: 1280, height: 800 } })).newPage();
-let failed = 0, actions = 0;
-const check = (truth, text) => { if (!truth) { failed++; console.log('newcomer: ' + text); } };
+let actions = 0;
 page.on('console', m => check(m.type() !== 'error', 'the console says: ' + m.text()));
 page.on('pageerror', e => check(false, e.message));
 const think = ms => { actions++; return page.waitForTimeout(ms); };      // reads, decides
@@ -51,6 +45,4 @@ const falls = Math.max(...await heights());
 check(falls < stands - 1, `no difference is seen: the top of the tower is at ${falls} m, and was at ${stands} m`);
 const seconds = (Date.now() - begin) / 1000;
 check(seconds < 60, `it took ${seconds.toFixed(0)} s, and a minute was promised`);
-await browser.close();
-console.log(`newcomer: ${seconds.toFixed(0)} s from the first page to the fallen tower (testbed open after ${loaded.toFixed(1)} s), ${actions} decisions, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await end(`${seconds.toFixed(0)} s from the first page to the fallen tower (testbed open after ${loaded.toFixed(1)} s), ${actions} decisions, `);

@@ -1,18 +1,11 @@
 // pages.mjs: the book's live pages in a real browser, opened from the disk, used as a reader would.
 //   node tests/web/pages.mjs build/book/html [PAGE ...]      needs playwright-core and axe-core (tests/web/run.sh brings them)
-import { createRequire } from 'node:module';
 import { readdirSync, readFileSync } from 'node:fs';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
+import { join } from 'node:path';
+import { browser, check, end, fail, html, require } from './browser.mjs';
 const axe = readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
-const [dir, ...only] = process.argv.slice(2);
-const html = resolve(dir), url = page => 'file://' + join(html, page);
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
-let failed = 0, figures = 0, scenes = 0, checks = 0;
-const fail = text => { failed++; console.log('pages: ' + text); };
-const check = (truth, text) => { checks++; if (!truth) fail(text); return truth; };
+const only = process.argv.slice(3), url = page => 'file://' + join(html, page);
+let figures = 0, scenes = 0;
 
 const open = async (context, file) => {
   const page = await context.newPage(), name = file;
@@ -198,10 +191,8 @@ for (const file of ['index.html', 'narrow-phase.html', 'testbed.html', 'gallery.
   await page.evaluate(axe);
   const found = await page.evaluate(() => axe.run(document, { runOnly: ['wcag2a', 'wcag2aa'], preload: false }));
   for (const v of found.violations) fail(`${file}: ${v.id} (${v.impact}): ${v.help}, ${v.nodes.length} times, first: ${v.nodes[0].html.slice(0, 140)}`);
-  checks++;
+  check(true);
   await page.close();
 }
 check(only.length || figures > 5, `only ${figures} figures were tried on ${pages.length} pages: is the list of pages right?`);
-await browser.close();
-console.log(`pages: ${figures} figures and ${scenes} simulations came alive; ${checks} checks, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await end(`${figures} figures and ${scenes} simulations came alive; `);

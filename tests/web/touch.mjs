@@ -1,14 +1,7 @@
 // touch.mjs: the book's pages under real fingers (touch events of Chromium), on a telephone upright and lying, by day and by night.
 //   node tests/web/touch.mjs build/book/html          needs playwright-core (tests/web/run.sh brings it)
-import { createRequire } from 'node:module';
-import { resolve, join } from 'node:path';
-const require = createRequire(join(process.cwd(), 'build/node/'));
-const { chromium } = require('playwright-core');
-const html = resolve(process.argv[2]);
-const args = '--no-sandbox --disable-gpu --disable-quic --no-first-run --disable-background-networking --disable-component-update --disable-sync'.split(' ');
-const browser = await chromium.launch({ executablePath: process.env.CHROMIUM || '/usr/bin/chromium', args });
-let failed = 0, checks = 0;
-const check = (truth, text) => { checks++; if (!truth) { failed++; console.log('touch: ' + text); } return truth; };
+import { join } from 'node:path';
+import { browser, check, end, html } from './browser.mjs';
 const near = (a, b, most, text) => check(Math.abs(a - b) <= most, `${text}: ${a}, and not ${b}`);
 
 for (const [name, width, height, colorScheme] of [['upright by day', 390, 844, 'light'], ['lying by night', 844, 390, 'dark']]) {
@@ -127,6 +120,4 @@ for (const [name, width, height, colorScheme] of [['upright by day', 390, 844, '
   await wrong.close();
   await phone.close();
 }
-await browser.close();
-console.log(`touch: ${checks} checks, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await end();
