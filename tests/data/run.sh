@@ -16,7 +16,7 @@ for m in $(build/bin/weft-lab list --exact); do
 done
 for f in book/data/*.csv; do
   b=$(basename "$f" .csv)
-  ! head -1 "$f" | grep '^# command: tests/peers/' >/dev/null || continue     # other engines are in it
+  ! head -1 "$f" | grep -E '^# command: (bash )?tests/' >/dev/null || continue     # a script writes it
   [ "$b" = mutation ] || [ "$b" = accuracy-peers-time ] || [[ $b == *-instructions ]] || [ "$b" = evaluation ] || [ "$b" = exercises ] || [ "$b" = page-weight ] || [ "$b" = page-figures ] || [ "$b" = price-parts ] || [ "$b" = price-whole ] || [ "$b" = price-bytes ] || [ "$b" = price-list ] || [[ $b == portability* ]] || [ "$b" = coverage ] || [ "$b" = abuse ] || [ "$b" = soak ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] || [ "$b" = peers-features ] || [ "$b" = peers-review ] || [ "$b" = extremes ] && continue
   build/bin/weft-lab list | awk '{ print $1 }' | grep -x "$b" >/dev/null || { echo "$f: no measurement of that name writes it -- delete it, or add the measurement"; bad=1; }
 done
