@@ -1000,10 +1000,11 @@ for index, c in ipairs(book.chunks) do
               "mark this code as belonging to that part, too (a section or a box with part=), or put the call into a chunk that the part adds to")
           end
         end
-      elseif class == "co" then                 -- /* eq:x */ becomes a link that shows the number
+      elseif class == "co" then                 -- /* eq:x, sec:y */ become links that show the numbers
         local i = 1
         while true do
-          local a, b, id = text:find("@?%f[%a](eq:[%w_%-]*%w)", i)
+          local a, b, id = text:find("@?%f[%a](%l+:[%w_%-]*%w)", i)
+          while a and not id:match("^eq:") and not id:match("^sec:") do a, b, id = text:find("@?%f[%a](%l+:[%w_%-]*%w)", b + 1) end
           if not a then break end
           if a > i then row[#row + 1] = { "co", text:sub(i, a - 1) } end
           ref_in_code(id, l.line)

@@ -51,7 +51,7 @@ wfReal wfLengthOfMany(const wfReal *e, int n);       /* of n components; see wfL
 void   wfNormalizeMany(wfReal *e, int n);            /* see wfNormalize */
 
 /* Length. Safe for any finite vector; what is longer than WF_HUGE has the length WF_HUGE.
-   Error: 2.5 eps of the length. Eq. numbers-length. */
+   Error: 2.5 eps of the length. eq:numbers-length. */
 static inline wfReal wfLength(wfVec2 a)
 {
     wfReal square = wfLengthSq(a);

@@ -114,8 +114,8 @@ typedef struct wfSolve {
                                          * WF_HUGE: by moving alone, sec:soft-deep */
     int32_t             stackSolver;    /* 0: contacts by passes; 1: towers are solved at
                                          * once; 1 + n: with up to n loops */
-    wfReal              stackSag;       /* slops: a tower whose springs sag no more goes by
-                                         * passes all the same; 0: none does */
+    wfReal              stackSag;       /* slops: a tower goes by passes all the same if no
+                                         * spring in it sags more; 0: none does */
     wfResidual         *fine;           /* of each body: what its state rounds away,
                                          * for `soft`; NULL: it is lost */
     wfPool             *scratch;        /* room for the row's scratch(bodies, contacts) */

@@ -55,7 +55,7 @@ WF_ADVANCED(wfReal, contactDampingRatio, WF_CONTACT_DAMPING_RATIO,
             "damping ratio of a contact's spring", WF_REAL, WF_ABOVE(0), .law = 1,
             .modules = WF_MODULE_CONTACTS)
 WF_ADVANCED(wfReal, contactPushSpeed, 24,
-            "overlap is left no faster than that; 0 or no gravity: no limit", WF_REAL,
+            "overlap is left no faster than that; 0: no limit", WF_REAL,
             WF_FROM(0), .law = 1, .unit = "steps of gravity", .modules = WF_MODULE_CONTACTS)
 WF_ADVANCED(int32_t, graphColouring, 1, "contacts are solved by colours", WF_SWITCH,
             .modules = WF_MODULE_CONTACTS)
@@ -65,7 +65,7 @@ WF_ADVANCED(int32_t, stackSolver, 3,
             "1: towers are solved at once; 1 + n: with up to n loops", WF_COUNTED,
             WF_BETWEEN(0, 1 + WF_STACK_LOOPS), .law = 1, .modules = WF_MODULE_CONTACTS)
 WF_ADVANCED(wfReal, stackSag, 3,
-            "a tower whose springs sag more is solved at once; 0: all are", WF_REAL,
+            "a tower in which a spring sags more is solved at once; 0: all", WF_REAL,
             WF_FROM(0), .law = 1, .unit = "slops", .modules = WF_MODULE_CONTACTS)
 WF_SETTING(int32_t, frictionRule, wfFindMix("geometric-mean"), "of two shapes' friction",
            WF_ROW(Mix), .law = 1, .modules = WF_MODULE_FRICTION)
