@@ -297,7 +297,7 @@ static void as_written(wfRot q, const wfVec2 *v, wfVec2 *sum, wfVec2 *fused, wfV
     for (int i = 0; i < TRIED; i++) turned[i] = wfRotate(q, v[i]);
 }
 
-static void step_by_step(wfRot q, const wfVec2 *v, wfVec2 *sum, wfVec2 *fused, wfVec2 *turned)
+static void stepwise(wfRot q, const wfVec2 *v, wfVec2 *sum, wfVec2 *fused, wfVec2 *turned)
 {
     for (int i = 0; i < TRIED; i++) {
         wfReal x = v[i].x, y = v[i].y;
@@ -316,7 +316,7 @@ wfResult wfCheckBuild(void)
     for (int i = 0; i < TRIED; i++)
         v[i] = wfV2((wfReal)(i + 4) / three, three / (wfReal)(i + 7));
     as_written(q, v, once, once + TRIED, once + 2 * TRIED);
-    step_by_step(q, v, again, again + TRIED, again + 2 * TRIED);
+    stepwise(q, v, again, again + TRIED, again + 2 * TRIED);
     int n = 0;
     while (n < 3 * TRIED && once[n].x == again[n].x && once[n].y == again[n].y) n++;
 #ifdef WF_ANY_BITS
