@@ -1,5 +1,5 @@
 /* Fast bodies: thin ones that turn do not sink; houses of thin cards stand; contacts of bodies with joints are rows of the solver, so their joints
- * open no farther than without this stage, and none of them gets through a wall; a dense gas is no error. */
+ * open no farther than without this stage, and none of them gets through a wall; a dense gas is no error; sensors see what flies through. */
 #include "testing.h"
 #include "world.h"
 #include "weft/weft.h"
@@ -280,4 +280,97 @@ TEST(a_dense_gas_is_no_error)
         assert_true(p.x > 0 && (double)p.x < side && p.y > 0 && (double)p.y < side);
     }
     wfDestroyWorld(&w);
+}
+
+/* ---- what flies through a sensor ---- */
+
+enum { BARRIER, DISC, FAT_BOX, ROUNDED, SENSORS };
+
+/* Something passes a sensor, or a sensor something, at any speed and phase: one touch begins and the same one ends, and nobody is slowed. */
+static void fly_by(int solver, int kind, int sensorType, int otherType, bool sensorFlies, double speed, int phase)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    def.gravity = wfV2(0, 0);
+    def.solver = solver, def.bodyCapacity = 4;
+    wfWorld w = world_with(&def);
+    wfShapeDef sensor = wfDefaultShapeDef();
+    sensor.sensor = 1;
+    if (kind == BARRIER) assert_ok(wfMakeSegment(wfV2(0, -2), wfV2(0, 2), &sensor.shape));
+    if (kind == DISC) assert_ok(wfMakeCircle(wfV2(0, 0), WF_R(0.3), &sensor.shape));
+    if (kind == FAT_BOX) assert_ok(wfMakeBox(WF_R(0.5), WF_R(0.5), &sensor.shape));
+    if (kind == ROUNDED) assert_ok(wfMakeRoundedBox(WF_R(0.2), WF_R(0.2), WF_R(0.1), &sensor.shape));
+    wfBodyDef on = wfDefaultBodyDef(), disc = ball_def(0, 0.1, 0.2);
+    on.type = sensorType, disc.type = otherType;
+    wfBodyDef *flies = sensorFlies ? &on : &disc;
+    flies->velocity = wfV2((wfReal)speed, 0);
+    flies->position.x = (wfReal)(-2 - speed / 60 * phase / 7);
+    wfBodyId a = add(&w, on), b = add(&w, disc);
+    assert_ok(wfAddShapeToBody(&w, a, &sensor, NULL));
+    int32_t begun = 0, ended = 0, n;
+    for (int i = 0; i < 8 + (int)(4 * 60 / speed); i++) {
+        assert_ok(wfStepWorld(&w));
+        wfWorldEvents(&w, WF_SENSOR_BEGIN, &n);
+        begun += n;
+        wfWorldEvents(&w, WF_SENSOR_END, &n);
+        ended += n;
+        if (ended > begun) fail_msg("more have left than came");
+    }
+    double left = (double)info(&w, sensorFlies ? a : b).velocity.x;
+    if (begun != 1 || ended != 1 || left != (double)(wfReal)speed)
+        fail_msg("%s, sensor %d on type %d, disc of type %d, %s flies at %g m/s, phase %d: %d came, %d left", wfSolverTable[solver].name,
+                 kind, sensorType, otherType, sensorFlies ? "sensor" : "disc", speed, phase, (int)begun, (int)ended);
+    wfDestroyWorld(&w);
+}
+
+TEST(a_sensor_sees_what_flies_through)
+{
+    const double speed[] = { 3, 40, 300, 5000 };
+    for (int solver = 0; solver < wfSolverCount; solver++)
+        for (int kind = 0; kind < SENSORS; kind++)
+            for (int types = 0; types < 9; types++)
+                for (int flies = 0; flies < 2; flies++)
+                    for (int v = 0; v < 4; v++)
+                        for (int phase = v; phase < 7; phase += 3)
+                            if ((flies ? types / 3 : types % 3) != WF_STATIC && !(flies && types % 3 == WF_STATIC))
+                                fly_by(solver, kind, types / 3, types % 3, flies != 0, speed[v], phase);
+}
+
+/* It flies past at the side, is struck in front of the barrier or passes it in a bounce; is joined, filtered, forbidden by a callback; or nobody
+ * follows fast bodies. How often it is told. */
+static bool never(void *context, const wfCallbackView *view, int32_t a, int32_t b) { (void)context, (void)view, (void)a, (void)b; return false; }
+
+TEST(a_sensor_sees_what_it_may)
+{
+    static const struct { double y, wall; int joined, mask, hook, impacts, told; } row[] = {
+        { 0, 0, 0, 1, 0, 64, 1 }, { 2.3, 0, 0, 1, 0, 64, 0 }, { 0, -0.5, 0, 1, 0, 64, 0 }, { 0, 1.5, 0, 1, 0, 64, 2 },
+        { 0, 0, 1, 1, 0, 64, 0 }, { 0, 0, 0, 0, 0, 64, 0 }, { 0, 0, 0, 1, 1, 64, 0 }, { 0, 0, 0, 1, 0, 0, 0 },
+    };
+    for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        def.gravity = wfV2(0, 0);
+        def.maxImpacts = row[i].impacts;
+        wfWorld w = world_with(&def);
+        wfBodyDef on = wfDefaultBodyDef(), wall = box_def(row[i].wall + 0.1, 0, 0.1, 9), disc = ball_def(-2, row[i].y, 0.2);
+        on.type = wall.type = WF_STATIC, disc.velocity = wfV2(240, 0), disc.restitution = 1;       /* 4 m a step */
+        wfShapeDef sensor = wfDefaultShapeDef();
+        sensor.sensor = 1, sensor.filter.mask = row[i].mask ? UINT64_MAX : 0;
+        assert_ok(wfMakeSegment(wfV2(0, -2), wfV2(0, 2), &sensor.shape));
+        wfBodyId a = add(&w, on), b = add(&w, disc);
+        if (row[i].wall != 0) add(&w, wall);
+        assert_ok(wfAddShapeToBody(&w, a, &sensor, NULL));
+        wfJoint j;
+        assert_ok(wfDefineJoint(&w, "filter", a, b, wfV2(0, 0), wfV2(0, 0), wfV2(1, 0), &j));
+        if (row[i].joined) assert_ok(wfAddJointToWorld(&w, &j, NULL));
+        wfCallbacks hooks = { .filter = row[i].hook ? never : NULL };
+        int32_t told = 0, ended = 0, n;
+        for (int k = 0; k < 4; k++) {
+            assert_ok(wfStepWorldWithCallbacks(&w, &hooks));
+            wfWorldEvents(&w, WF_SENSOR_BEGIN, &n);
+            told += n;
+            wfWorldEvents(&w, WF_SENSOR_END, &n);
+            ended += n;
+        }
+        if ((row[i].told > 0) != (told > 0) || told > row[i].told || ended != told) fail_msg("row %zu: %d came, %d left", i, (int)told, (int)ended);
+        wfDestroyWorld(&w);
+    }
 }

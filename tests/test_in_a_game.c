@@ -215,6 +215,32 @@ TEST(it_climbs_ledges_and_slopes_up_to_its_limits)
     }
 }
 
+/* From the air onto slopes, at any speed: below the limit it lands, and walks up and down without flying; above it comes no higher. */
+TEST(it_lands_on_slopes)
+{
+    for (int degrees = -80; degrees <= 80; degrees += 5)
+        for (int speed = -6; speed <= 6; speed += 2) {
+            double angle = degrees * 3.14159265 / 180;
+            wfWorld w = empty();
+            wfMover m = wfDefaultMover();
+            solid(&w, WF_STATIC, (wfReal)sin(angle), (wfReal)-cos(angle), 60, 1, (wfReal)angle, 1);     /* through (0, 0) */
+            double above = 0.3 / cos(angle) - 0.3;                         /* a round foot on a slope */
+            m.position = wfV2(0, (wfReal)(above + 0.4));
+            walk(&w, &m, (wfReal)speed, 120);
+            bool walks = abs(degrees) <= 45;
+            for (int i = 0; i < 60; i++) {
+                walk(&w, &m, (wfReal)speed, 1);
+                double x = (double)m.position.x, high = (double)m.position.y - x * tan(angle) - above;
+                double most = speed * (121 + i) / 60.0, share = speed == 0 ? 1 : x / most;     /* uphill the way is what leads along the slope */
+                if (walks && !(m.ground.index != 0 && fabs(high) < 0.06 && share < 1.01 && share > (speed * angle > 0 ? pow(cos(angle), 2) : 1) - 0.1))
+                    fail_msg("%d degrees, %d m/s: %g m along, %g above", degrees, speed, x, high);
+                if (!walks && !(m.ground.index == 0 && (double)m.position.y < above + 0.4))
+                    fail_msg("%d degrees, %d m/s: stands, or is %g m high", degrees, speed, (double)m.position.y);
+            }
+            wfDestroyWorld(&w);
+        }
+}
+
 TEST(it_rides_on_platforms)
 {
     const wfVec2 way[] = { wfV2(2, 0), wfV2(0, 1), wfV2(0, -1), wfV2(-1, 1) };

@@ -82,11 +82,36 @@ TEST(a_scene_of_others_is_translated)
     free(flat);
 }
 
+/* Box2D's soft weld swings about its point as a spring of 1 / (1/I + 1/I) does; a body that takes no part is disabled; where a body never
+ * turns, nobody asks where its centre of mass is. */
+TEST(what_gives_or_takes_no_part_is_read)
+{
+    static const char *const more = "\"type\": \"weld\", \"frequency\": 4, \"dampingRatio\": 0.25";
+    char *soft = with(rube, "\"type\": \"distance\"", more), *text = NULL;
+    char *both = with(soft, "\"awake\": true", "\"active\": false, \"fixedRotation\": true, \"massData-center\": { \"x\": 0.3, \"y\": 0 }");
+    wfWorld world;
+    wfTextError e;
+    if (wfTranslateRube(both, strlen(both), &text, &e) != WF_OK) fail_msg("%s: %s", e.where, e.what);
+    assert_ok(wfReadScene(text, strlen(text), NULL, &world, NULL, &e));
+    assert_false(wfBodyIsEnabled(&world, wfBodyAt(&world, 1)));
+    wfJoint j;
+    assert_ok(wfGetJoint(&world, wfJointAt(&world, 0), &j));
+    wfBodyView b = wfWorldBodies(&world);
+    double turn = 8 * 3.14159265358979, inertia = 1 / ((double)b.state[j.a].invInertia + (double)b.state[j.b].invInertia);
+    assert_true(j.kind == wfFindJoint("weld") && j.flags == WF_JOINT_SPRING);
+    assert_near(j.stiffness, turn * turn * inertia, 1e-5 * turn * turn * inertia);
+    assert_near(j.damping, 2 * 0.25 * turn * inertia, 1e-5 * turn * inertia);
+    wfDestroyWorld(&world);
+    wfFreeText(text);
+    free(both);
+    free(soft);
+}
+
 TEST(what_would_move_otherwise_is_refused)
 {
     static const struct { const char *from, *to, *where, *what; int line; } wrong[] = {
         { "\"type\": \"distance\"", "\"type\": \"motor\"", "joint[0].type", "not translated", 10 },
-        { "\"awake\": true", "\"active\": false", "body[1].active", "takes no part", 6 },
+        { "\"image\": []", "\"metaworld\": {}, \"image\": []", "metaworld", "export", 2 },
         { "\"awake\": true", "\"inertiaScale\": 2", "body[1].inertiaScale", "not known", 6 },
         { "\"image\": []", "\"autoClearForces\": false", "autoClearForces", "one step", 2 },
         { "\"massData-mass\": 4,", "", "body[2]", "massData-mass", 8 },

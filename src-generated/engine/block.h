@@ -327,6 +327,7 @@ wfResult wfContinuousAfter(struct wfStep *s);
 wfResult wfFindPairsAgain(struct wfStep *s);
 wfContact wfStartContact(const struct wfStep *s, wfPair p);
 wfResult wfTellImpactEvents(struct wfStep *s);
+int32_t wfFindFlown(struct wfStep *s, wfPair *out, int32_t most);
 wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled);
 /* Is there a joint that keeps the bodies a and b from colliding? */
 bool wfIsJoined(const struct wfStep *s, int32_t a, int32_t b);

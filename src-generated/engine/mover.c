@@ -10,7 +10,7 @@ typedef struct Walk {
     wfMover *m;
     wfBlock b;
     wfReal gap, flattest;      /* m; cosine of the steepest slope */
-    bool stood;                /* when the move began */
+    bool stood, landed;        /* when the move began; within it */
 } Walk;
 
 static wfReal rise(const Walk *w, wfVec2 v) { return wfDot(v, w->m->up); }
@@ -74,7 +74,7 @@ static wfVec2 clip(wfVec2 v, wfVec2 normal)
 {
     return wfAddScaled(v, wfMaxR(0, -wfDot(v, normal)), normal);
 }
-static wfVec2 slide(const Walk *w, wfVec2 at, wfVec2 by, wfVec2 *velocity, bool *walled)
+static wfVec2 slide(Walk *w, wfVec2 at, wfVec2 by, wfVec2 *velocity, bool *walled)
 {
     wfVec2 plane[MOVER_PASSES], up = w->m->up;
     wfRayHit hit;
@@ -85,9 +85,11 @@ static wfVec2 slide(const Walk *w, wfVec2 at, wfVec2 by, wfVec2 *velocity, bool 
         if (is_ground(w, &hit)) {
             by = clip(by, up);
             *velocity = clip(*velocity, up);
+            w->landed = true;
         } else {
-            if (w->stood && rise(w, n) > 0)
-                n = wfNormalize(wfSub(n, wfScale(rise(w, n), up)));
+            wfVec2 wall = wfNormalize(wfSub(n, wfScale(rise(w, n), up)));
+            if (rise(w, n) > 0) by = clip(by, wall), *velocity = clip(*velocity, wall);
+            if (w->stood && rise(w, n) > 0) n = wall;
             *walled = *walled || wfAbs(rise(w, n)) < WF_R(0.5);
             *velocity = clip(*velocity, n);
         }
@@ -157,7 +159,7 @@ static void find_ground(Walk *w, wfVec2 *at)
     wfRayHit hit;
     wfVec2 to = *at;
     bool leaves = rise(w, w->m->velocity) > w->gap;
-    wfReal deep = 2 * w->gap + (w->stood && !leaves ? w->m->stepHeight : 0);
+    wfReal deep = 2 * w->gap + (w->stood || w->landed ? w->m->stepHeight : 0);
     w->m->ground = (wfShapeId){ 0, 0 };
     if (leaves) return;
     go(w, &to, wfScale(-deep, w->m->up), &hit);

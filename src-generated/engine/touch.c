@@ -175,7 +175,25 @@ static wfResult hit_by_strike(struct wfStep *s, const wfImpactEvent *strike)
 
 wfResult wfTellImpactEvents(struct wfStep *s)
 {
-    if (!s->b.head->events || s->strikeCount == 0) return WF_OK;
+    if (!s->b.head->events) return WF_OK;
+    /* touch what flew through a sensor */
+    int32_t room = s->b.head->contactCapacity - s->kept.touches - s->touchCount;
+    bool looks = s->b.head->sensorCount > 0 && s->b.head->maxImpacts > 0 && s->movers > 0;
+    size_t mark = wfPoolMark(&s->scratch);
+    wfPair *flown = looks ? wfPoolPushArray(&s->scratch, room, wfPair) : NULL;
+    int32_t flew = flown != NULL ? wfFindFlown(s, flown, room) : 0;
+    s->followed = s->followed || flew > 0;
+    for (int32_t i = 0; i < flew && i < room; i++) {
+        uint32_t side = wfIsSensor(&s->b, flown[i].a) ? WF_TOUCH_SENSOR_A : WF_TOUCH_SENSOR_B;
+        wfTouchingPair t = stamp_touch(s, flown[i], side | TOUCH_AGAIN);
+        int32_t at = s->touchCount++;
+        for (; at > 0 && before(t.a, t.b, (wfPair){ s->touches[at - 1].a, s->touches[at - 1].b });
+             at--) s->touches[at] = s->touches[at - 1];
+        s->touches[at] = t;
+    }
+    wfPoolRewind(&s->scratch, mark);
+    if (flew > room) return WF_ERROR_FULL;
+    if (s->strikeCount == 0) return WF_OK;
     const wfHeader *head = s->b.head;
     wfReal least = wfRestingSpeed(head->gravity, head->timeStep, head->hitThreshold);
     wfResult result = touch_strikes(s);

@@ -12,6 +12,7 @@ typedef struct Rube {
     wfText t;
     bool failed;                    /* an error is noted, or memory is short */
     const cJSON *bodies;
+    wfWorld made;                   /* of the bodies alone, if a weld gives */
 } Rube;
 
 static void refuse(Rube *r, const cJSON *at, const char *why)
@@ -217,8 +218,6 @@ static void put_body(Rube *r, const cJSON *body, cJSON *list)
           "fixture gravityScale linearDamping linearVelocity massData-mass position type");
     double type = get(r, body, "type", 0);
     if (!(type == 0 || type == 1 || type == 2)) refuse(r, body, "its type is 0, 1 or 2");
-    if (!yes(r, body, "active", true))
-        refuse(r, wfChild(body, "active"), "a body that takes no part: leave it out");
     cJSON *out = r->failed ? NULL : put_object(r, list);
     if (r->failed) return;
     put_text(r, out, "type", types[(int)type]);
@@ -232,6 +231,7 @@ static void put_body(Rube *r, const cJSON *body, cJSON *list)
     if (type == 2) put(r, out, "mass", get(r, body, "massData-mass", 0));
     put_flag(r, out, "fixedRotation", yes(r, body, "fixedRotation", false));
     put_flag(r, out, "neverSleeps", !yes(r, body, "allowSleep", true));
+    put_flag(r, out, "disabled", !yes(r, body, "active", true));
     cJSON *shapes = cJSON_AddArrayToObject(out, "shapes");
     if (shapes == NULL) r->failed = true;
     for (const cJSON *c = first_of(r, body, "fixture"); c && !r->failed; c = c->next)
@@ -283,6 +283,21 @@ static void put_spring(Rube *r, const cJSON *j, cJSON *out, const char *frequenc
     put(r, out, "damping", 2 * get(r, j, damping, 0) * turn / inverse);
 }
 
+/* A weld with a frequency gives there against turning alone, and the spring is that of the bodies' moments
+ * of inertia. */
+static void put_turn_spring(Rube *r, const cJSON *j, cJSON *out)
+{
+    double turn = 2 * 3.14159265358979323846 * get(r, j, "frequency", 0);
+    int32_t a = (int32_t)get(r, j, "bodyA", 0), b = (int32_t)get(r, j, "bodyB", 0);
+    if (!(turn > 0) || r->failed) return;
+    double inverse = (double)wfTellExactBody(&r->made, a).invInertia
+                   + (double)wfTellExactBody(&r->made, b).invInertia;
+    if (!(inverse > 0)) return;                             /* neither turns */
+    put_flag(r, out, "spring", true);
+    put(r, out, "stiffness", turn * turn / inverse);
+    put(r, out, "damping", 2 * get(r, j, "dampingRatio", 0) * turn / inverse);
+}
+
 static void put_limits(Rube *r, const cJSON *j, cJSON *out, double from)
 {
     if (!yes(r, j, "enableLimit", false)) return;
@@ -300,8 +315,7 @@ static void put_motor(Rube *r, const cJSON *j, cJSON *out, const char *most)
 
 /* What the kinds of joint have of their own. Their angle between two bodies at rest, `refAngle', is the zero
  * of their limits; ours count from where both bodies have the angle zero, so it is added. A rope is a
- * distance with one stop. A friction joint has a torque of its own there; here it is a force at a lever. A
- * weld with a frequency gives there, against turning alone: it is refused. */
+ * distance with one stop. A friction joint has a torque of its own there; here it is a force at a lever. */
 static void put_kind(Rube *r, const cJSON *j, const char *type, cJSON *out)
 {
     double reference = get(r, j, "refAngle", 0), most = get(r, j, "maxForce", 0);
@@ -324,7 +338,7 @@ static void put_kind(Rube *r, const cJSON *j, const char *type, cJSON *out)
         put(r, out, "upper", get(r, j, "maxLength", 1));
     } else if (strcmp(type, "weld") == 0) {
         put(r, out, "rest", reference);
-        if (get(r, j, "frequency", 0) > 0) refuse(r, j, "a weld that gives");
+        put_turn_spring(r, j, out);
     } else if (strcmp(type, "friction") == 0) {
         put(r, out, "motorForce", most);
         if (most > 0) put(r, out, "ratio", get(r, j, "maxTorque", 0) / most);
@@ -364,6 +378,17 @@ static void put_joint(Rube *r, const cJSON *j, cJSON *list)
 
 /* ---- translate a scene of theirs ---- */
 
+/* Reads the translation, the way anybody would: what is wrong with it is told now. */
+static bool read_again(Rube *r, const char *text, wfWorld *world)
+{
+    wfTextError e;
+    if (wfReadScene(text, strlen(text), NULL, world, NULL, &e) == WF_OK) return true;
+    if (!r->failed)
+        wfTextFail(&r->t, NULL, e.result, "in the translation: %.60s: %.90s", e.where, e.what);
+    r->failed = true;
+    return false;
+}
+
 /* A rate in place of a step, and a switch for whether pushes last. */
 static void put_settings(Rube *r, cJSON *out)
 {
@@ -381,6 +406,25 @@ static void put_settings(Rube *r, cJSON *out)
     if (!yes(r, root, "continuousPhysics", true)) put(r, settings, "maxImpacts", 0);
 }
 
+static bool has_soft_weld(Rube *r)
+{
+    for (const cJSON *j = first_of(r, r->t.root, "joint"); j && !r->failed; j = j->next) {
+        const cJSON *type = wfChild(j, "type");
+        bool weld = cJSON_IsString(type) && strcmp(type->valuestring, "weld") == 0;
+        if (weld && get(r, j, "frequency", 0) > 0) return true;
+    }
+    return false;
+}
+
+/* Makes a world of the bodies alone, which knows what they weigh. */
+static void weigh(Rube *r, const cJSON *out)
+{
+    char *text = r->failed ? NULL : wfPrettyText(out);
+    if (text != NULL) read_again(r, text, &r->made);
+    if (text == NULL) r->failed = true;
+    wfFreeText(text);
+}
+
 /* Bodies keep their order, so the numbers by which joints name them stay right. */
 static void put_lists(Rube *r, cJSON *out)
 {
@@ -389,6 +433,7 @@ static void put_lists(Rube *r, cJSON *out)
     if (bodyList == NULL || jointList == NULL) r->failed = true;
     for (const cJSON *c = r->bodies->child; c && !r->failed; c = c->next)
         put_body(r, c, bodyList);
+    if (has_soft_weld(r)) weigh(r, out);
     for (const cJSON *c = first_of(r, r->t.root, "joint"); c && !r->failed; c = c->next)
         put_joint(r, c, jointList);
 }
@@ -410,6 +455,7 @@ static void check_mass(Rube *r, const cJSON *body, const wfWorld *world, int32_t
     double mass = (double)made.mass, inertia = (double)made.inertia;
     double arm = inertia > 0 ? sqrt(inertia / mass) : 0;
     if (get(r, body, "type", 0) < 2 || r->failed) return;
+    if (yes(r, body, "fixedRotation", false)) return;      /* all its points move alike */
     if (centre != NULL && !(is_like(c.x, x, arm) && is_like(c.y, y, arm)))
         refuse(r, centre, "the fixtures have their centre of mass elsewhere");
     double about = inertia + mass * (x * x + y * y);
@@ -417,20 +463,12 @@ static void check_mass(Rube *r, const cJSON *body, const wfWorld *world, int32_t
         refuse(r, wfChild(body, "massData-I"), "the fixtures have another one");
 }
 
-/* The translation is read once, the way anybody would: what is wrong with it is told now, and what the
- * fixtures weigh is compared with what that editor says they weigh. */
+/* What the fixtures weigh is compared with what that editor says they weigh. */
 static void check_masses(Rube *r, const char *text)
 {
     wfWorld world;
-    wfTextError e;
     int32_t i = 0;
-    if (wfReadScene(text, strlen(text), NULL, &world, NULL, &e) != WF_OK) {
-        if (!r->failed)
-            wfTextFail(&r->t, NULL, e.result, "in the translation: %.60s: %.90s", e.where,
-                       e.what);
-        r->failed = true;
-        return;
-    }
+    if (!read_again(r, text, &world)) return;
     for (const cJSON *c = r->bodies->child; c != NULL && !r->failed; c = c->next)
         check_mass(r, c, &world, i++);
     wfDestroyWorld(&world);
@@ -440,6 +478,9 @@ static void check_masses(Rube *r, const char *text)
 static char *translate(Rube *r)
 {
     r->bodies = wfChild(r->t.root, "body");
+    if (wfChild(r->t.root, "metaworld") != NULL)
+        refuse(r, wfChild(r->t.root, "metaworld"), "a project of the editor: export the scene as JSON there");
+    if (r->failed) return NULL;
     if (!cJSON_IsArray(r->bodies)) {
         refuse(r, r->t.root, "a R.U.B.E. scene has a list `body'");
         return NULL;
@@ -453,6 +494,7 @@ static char *translate(Rube *r)
     if (!r->failed) put_lists(r, out);
     char *text = r->failed ? NULL : wfPrettyText(out);
     cJSON_Delete(out);
+    wfDestroyWorld(&r->made);
     if (text != NULL) check_masses(r, text);
     if (!r->failed) return text;
     wfFreeText(text);
