@@ -5,6 +5,8 @@
 #include <string.h>
 #include <SDL.h>
 #include "testbed/layer.h"
+#include "testbed/raster.h"
+#include "testbed/workers.h"
 
 typedef struct sdl_app {
     SDL_Window *window;
@@ -43,6 +45,7 @@ static bool open_window(sdl_app *app, const layer_options *o)
                         "weft-headless runs scenes without one\n");
         return false;
     }
+    SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
     float s = o->scale;
     SDL_Rect room = { 0, 0, 8192, 8192 }; /* what the screen has for windows */
     SDL_GetDisplayUsableBounds(0, &room);
@@ -199,10 +202,15 @@ static bool run_window(layer *l)
     sdl_app app;
     memset(&app, 0, sizeof app);
     app.layer = l;
+    int32_t hands = l->options->workers > 0 ? l->options->workers : SDL_GetCPUCount();
+    work_pool *pool = work_pool_open(hands < 4 ? hands : 4);
+    wfShareDrawing(work_pool_lend(pool));
     bool good = open_window(&app, l->options);
     if (!good) fprintf(stderr, "weft-testbed: %s\n", SDL_GetError());
     good = good && run(&app);
     close_window(&app);
+    wfShareDrawing((wfWorkers){ NULL, NULL });
+    work_pool_close(pool);
     return good;
 }
 
