@@ -325,7 +325,7 @@ system["<string.h>"] = nil
 local c = banner("weft.c", "in two files: this one and weft.h.") .. [[
 ]] .. "   " .. flags .. "\n" .. [[
    (the -f switches keep the same bits on every machine. gcc and clang are asked for them here as well, so that a forgotten one
-   changes nothing; what can't be mended so, such as -ffast-math, wfCreateWorld answers with WF_ERROR_BUILD) */
+   changes nothing; what can't be mended so, such as -ffast-math, wfCreateWorld refuses by name) */
 #if defined __clang__
 #pragma STDC FP_CONTRACT OFF
 #elif defined __GNUC__

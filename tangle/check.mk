@@ -1,4 +1,4 @@
-# check.mk: what proves the rest. `make check` takes about 75 minutes on two slow cores, and should take 45; the long runs have names of their own.
+# check.mk: what proves the rest. `make check` should take at most 45 minutes on two cores; the long runs have names of their own.
 .PHONY: pictures check evaluation mutate data clocks golden coverage fuzz portability portability-ends portability-readme leaks windows parts prices peers extremes
 SHARE ?= 1
 check:

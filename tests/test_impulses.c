@@ -346,7 +346,7 @@ TEST(random_two_point_contacts_meet_their_conditions)
         }
         pushed[(j[0] > 0) + 2 * (j[1] > 0)]++;
         Sums after = sums_of(s, 2);
-        /* Cramer's rule loses at most a factor K00 K11 / det, which WF_TWO_POINT_LIMIT bounds; typical losses are small. */
+        /* Cramer's rule loses at most a factor K00 K11 / det, which the limit of the chapter impulses bounds; typical losses are small. */
         double tolerance = 2e4 * (double)WF_EPSILON;
         for (int k = 0; k < 2; k++) {
             v[k] = (double)wfRelativeNormalVelocity(&s[0], &s[1], c.manifold.points[k].point, n);
@@ -363,7 +363,7 @@ TEST(random_two_point_contacts_meet_their_conditions)
         assert_true(after.energy <= before.energy * (1 + 1e-5));
     }
     for (int k = 0; k < 4; k++) assert_true(pushed[k] > 100);
-    /* Refused only when the points are on one line along the normal, up to WF_TWO_POINT_LIMIT: det / K00 K11 is the squared
+    /* Refused only when the points are on one line along the normal, up to the limit of the chapter impulses: det / K00 K11 is the squared
      * sine of the angle between two vectors of masses and arms. Were that angle anything with equal chance, it would be
      * within sqrt(1000 * 2^-23) = 0.011 of 0 or pi for 2 * 0.011 / pi of them, 35 of 5000; five standard deviations above. */
     assert_true(refused < 35 + 5 * 6);

@@ -797,11 +797,12 @@ static wfReal too_much(const wfSubsteps *s, wfStacks *t, const wfLimb *root)
     }
     return work > 0 && energy > 0 ? wfMinR(work / energy, 1) : 0;
 }
+#define LEFT_SHARE WF_R(0.01)      /* sigma: a lesser one is left where it is */
 
 static void take_back(const wfSubsteps *s, wfStacks *t, const wfLimb *root)
 {
     wfReal share = too_much(s, t, root);
-    if (share < WF_LEFT_SHARE) return;
+    if (share < LEFT_SHARE) return;
     for (int32_t i = root->root; i < root->links; i++) {
         wfPrepared *c = &s->c[t->limb[i].contact];
         wfPairMotion m = wfTakePair(s->in, c);

@@ -68,5 +68,4 @@ void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
                    wfReal fastest);
 /* Takes back what the sums that were just handed out have too much, eq:soft-memory. */
 void wfTakeBackMemory(const wfSubsteps *s, wfStacks *t);
-#define WF_LEFT_SHARE WF_R(0.01)   /* sigma: a lesser one is left where it is */
 #endif

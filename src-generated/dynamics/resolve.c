@@ -55,7 +55,10 @@ wfReal wfBounceLoss(wfReal u, wfReal effectiveMass, wfReal restitution)
     return WF_R(0.5) * effectiveMass * (1 - restitution * restitution) * u * u;
 }
 
-/* solve the two-point problem of eq:impulses-lcp */
+/* Least det K over K11 K22 for which two points are solved together: below it fewer than
+ * three digits of the impulses would survive. */
+#define WF_TWO_POINT_LIMIT (1000 * WF_EPSILON)
+
 static bool solve_two(wfReal k00, wfReal k01, wfReal k11, wfReal b0, wfReal b1, wfReal j[2])
 {
     j[0] = j[1] = 0;

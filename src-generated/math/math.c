@@ -288,39 +288,41 @@ static wfReal stored(wfReal x)
     return memory;
 }
 
-static wfReal as_written(wfRot q, const wfVec2 *v, wfVec2 *turned)
+static void as_written(wfRot q, const wfVec2 *v, wfVec2 *sum, wfVec2 *fused, wfVec2 *turned)
 {
-    wfReal sum = 0;
+    for (int i = 0; i < TRIED; i++) {
+        sum[i] = wfV2(v[i].x + v[i].y - v[i].x, 0);
+        fused[i] = wfV2(v[i].x * v[i].y + q.s, 0);
+    }
     for (int i = 0; i < TRIED; i++) turned[i] = wfRotate(q, v[i]);
-    for (int i = 0; i < TRIED; i++) turned[i].y = turned[i].y * v[i].x + v[i].y;
-    for (int i = 0; i < TRIED; i++) sum += v[i].x * v[i].y;
-    return sum;
 }
 
-static wfReal step_by_step(wfRot q, const wfVec2 *v, wfVec2 *turned)
+static void step_by_step(wfRot q, const wfVec2 *v, wfVec2 *sum, wfVec2 *fused, wfVec2 *turned)
 {
-    wfReal sum = 0;
     for (int i = 0; i < TRIED; i++) {
-        wfReal x = stored(stored(q.c * v[i].x) - stored(q.s * v[i].y));
-        wfReal y = stored(stored(q.s * v[i].x) + stored(q.c * v[i].y));
-        turned[i] = wfV2(x, stored(stored(y * v[i].x) + v[i].y));
-        sum = stored(sum + stored(v[i].x * v[i].y));
+        wfReal x = v[i].x, y = v[i].y;
+        sum[i] = wfV2(stored(stored(x + y) - x), 0);
+        fused[i] = wfV2(stored(stored(x * y) + q.s), 0);
+        turned[i] = wfV2(stored(stored(q.c * x) - stored(q.s * y)),
+                         stored(stored(q.s * x) + stored(q.c * y)));
     }
-    return sum;
 }
 
 wfResult wfCheckBuild(void)
 {
     wfReal three = stored(3);
     wfRot q = { .c = three / 7, .s = three / 11 };      /* it need not have length 1 */
-    wfVec2 v[TRIED], once[TRIED], again[TRIED];
+    wfVec2 v[TRIED], once[3 * TRIED], again[3 * TRIED];
     for (int i = 0; i < TRIED; i++)
         v[i] = wfV2((wfReal)(i + 4) / three, three / (wfReal)(i + 7));
-    bool same = as_written(q, v, once) == step_by_step(q, v, again);
-    for (int i = 0; i < TRIED; i++)
-        same = same && once[i].x == again[i].x && once[i].y == again[i].y;
+    as_written(q, v, once, once + TRIED, once + 2 * TRIED);
+    step_by_step(q, v, again, again + TRIED, again + 2 * TRIED);
+    int n = 0;
+    while (n < 3 * TRIED && once[n].x == again[n].x && once[n].y == again[n].y) n++;
 #ifdef WF_ANY_BITS
-    same = true;
+    n = 3 * TRIED;
 #endif
-    return same ? WF_OK : WF_ERROR_BUILD;
+    return n < TRIED     ? WF_ERROR_BUILD_FAST
+         : n < 2 * TRIED ? WF_ERROR_BUILD
+         : n < 3 * TRIED ? WF_ERROR_BUILD_VECTORS : WF_OK;
 }

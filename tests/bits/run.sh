@@ -10,12 +10,14 @@
 #   addresses  no pointer made a number, none printed, but where memory is aligned; no qsort, whose order of equals is nobody's promise
 #   outside    no clock, no random numbers of the C library, no locale, no threads' order
 #   hashes     what is hashed are numbers, never structures with padding: wfHashBytes is for bytes that somebody wrote one by one
-#   casts, unwritten   the scenes run under the sanitizers (platforms clang-casts and clang-memory of tests/portability)
+#   casts, unwritten   the scenes, and the worlds at the ends of the settings, run under the sanitizers (clang-casts and clang-memory)
 set -uo pipefail
 cd "$(dirname "$0")/../.." || exit 1
 work=build/bits bad=0 out=${OUT:-build/portability}
 rm -rf $work; mkdir -p $work
-tests/portability/run.sh gcc-O2 clang-O2 gcc-double gcc-native clang-native clang-casts clang-memory > $work/log 2>&1 || { cat $work/log; exit 1; }
+builds="gcc-O2 clang-O2 gcc-double gcc-native clang-native clang-casts clang-memory"
+# shellcheck disable=SC2086
+{ tests/portability/run.sh $builds && tests/portability/run.sh --ends $builds; } > $work/log 2>&1 || { cat $work/log; exit 1; }
 src=$(ls -td $out/src-* | head -1)
 std=$(tangle/std)
 components='core math collision dynamics engine'
@@ -121,31 +123,45 @@ sanitized -fsanitize=float-cast-overflow 'int main(int n, char **v) { volatile f
 sanitized -fsanitize=memory '#include <stdio.h>
 int main(int n, char **v) { struct { char a; int b; } x; volatile unsigned char *p = (void *)&x; unsigned h = 0; x.a = (char)n; x.b = 1; (void)v; for (unsigned i = 0; i < sizeof x; i++) h = h * 31 + p[i]; if (h & 1) puts("odd"); return 0; }'
 
-# A build tries itself (wfCheckBuild): flags that change bits are refused, and only those.
+# A build tries itself (wfCheckBuild): flags that change bits are refused, each with the result that names it, and only those.
 cat > $work/build.c <<'C'
+#include <stdio.h>
 #include "weft/math.h"
-int main(void) { return wfCheckBuild() == WF_ERROR_BUILD ? 3 : wfCheckBuild() != WF_OK; }
-C
-tries() {          # status that is due, compiler, flags
-  local want=$1 got; shift
-  # shellcheck disable=SC2086
-  $* -w -I"$src/include" $work/build.c "$src"/math/*.c "$src"/core/*.c -lm -o $work/build 2>$work/build.log || { echo "build: $* does not compile: $(head -2 $work/build.log)"; bad=1; return; }
-  $work/build; got=$?
-  [ $got -eq "$want" ] || { echo "build: $* $([ "$want" = 3 ] && echo "is not refused, though it changes bits" || echo "is refused, though it has the same bits (wfCheckBuild, chapter numbers)")"; bad=1; }
+int main(void)
+{
+    wfResult r = wfCheckBuild();
+    return puts(r == WF_OK ? "well" : r == WF_ERROR_BUILD ? "fused" : r == WF_ERROR_BUILD_VECTORS ? "vectors" : r == WF_ERROR_BUILD_FAST ? "fast" : "?") < 0;
 }
+C
+compiled() { "$@" -w -I"$src/include" $work/build.c "$src"/math/math.c -lm -o $work/build 2>$work/build.log || { echo "build: $* does not compile: $(head -2 $work/build.log)"; bad=1; false; }; }
+tries() {          # what is due; compiler, flags
+  local want=$1 got; shift
+  # shellcheck disable=SC2048,SC2086
+  compiled $* || return
+  got=$($work/build)
+  [ "$got" = "$want" ] || { echo "build: $* is called $got, and is $want (wfCheckBuild, chapter numbers)"; bad=1; }
+}
+fma=$(grep -qw fma /proc/cpuinfo && echo here)
 for reals in "" -DWF_DOUBLE; do
   for level in -O0 -O1 -O2 -O3; do
-    tries 0 gcc -std=c11 $level -march=native -ffp-contract=off -fno-tree-vectorize $reals
-    tries 0 clang -std=c11 $level -march=native -ffp-contract=off $reals
+    tries well gcc -std=c11 $level -march=native -ffp-contract=off -fno-tree-vectorize $reals
+    tries well clang -std=c11 $level -march=native -ffp-contract=off $reals
+    tries fast gcc -std=c11 $level -ffast-math -U__FAST_MATH__ $reals
+    [ $level = -O0 ] || tries fast clang -std=c11 $level -ffast-math -U__FAST_MATH__ $reals       # at -O0 clang does little of this
+    [ -z "$fma" ] || [ $level = -O0 ] || tries fused clang -std=c11 $level -march=native -ffp-contract=fast $reals
+    case $fma$level in here-O[23])       # gcc fuses from -O2 on; its version 12 in its vectorisers even where it must not
+      tries fused gcc -std=c11 $level -march=native -ffp-contract=fast $reals
+      tries fused gcc -std=gnu11 $level -march=native $reals
+      [[ "$(gcc -dumpversion)" != 12* ]] || tries vectors gcc -std=c11 $level -march=native -ffp-contract=off $reals ;;
+    esac
   done
-  tries 0 gcc -std=c11 -O3 -ffast-math -DWF_ANY_BITS $reals
-  tries 3 gcc -std=c11 -O3 -ffast-math -U__FAST_MATH__ $reals
-  if grep -qw fma /proc/cpuinfo; then
-    tries 3 gcc -std=gnu11 -O2 -march=native $reals
-    tries 3 gcc -std=c11 -O2 -march=native -ffp-contract=fast $reals
-    tries 3 clang -std=c11 -O2 -march=native $reals
-  fi
+  tries well gcc -std=c11 -O3 -ffast-math -DWF_ANY_BITS $reals
 done
+# What each wfCreateWorld pays for it: 96 vectors, each computed twice, with every result stored and read again.
+# shellcheck disable=SC2086
+compiled gcc $std -O2 && valgrind --tool=callgrind --toggle-collect=wfCheckBuild --callgrind-out-file=$work/count $work/build >$work/count.log 2>&1
+cost=$(sed -n 's/^totals: //p' $work/count)
+[ "${cost:-0}" -gt 1000 ] && [ "$cost" -le 5000 ] || { echo "build: wfCheckBuild takes ${cost:-an unknown number of} instructions, allowed are 5000 (chapter numbers)"; bad=1; }
 
 [ $bad -eq 0 ] && echo "nothing in the engine makes other bits on another machine: 10 rules, each of which catches what was planted for it"
 exit $bad

@@ -41,7 +41,7 @@ static void deaf(void)
     sigprocmask(SIG_BLOCK, &all, NULL);
     spins();
 }
-static void hogs(void) { for (size_t i = 0; i < 4000; i++) { char *p = malloc(1 << 20); if (!p) abort(); for (int k = 0; k < 1 << 20; k += 4096) p[k] = 1; } course_met(); }
+static void hogs(void) { for (size_t i = 0; i < 4000; i++) { char *p = malloc(1 << 20); if (!p) abort(); *(volatile char *)p = 1; } course_met(); }
 static void says(void) { strcpy(course_page->said, "pass\t1"); course_met(); _exit(0); }
 static void sings(void) { memset(course_page->said, '\n', sizeof course_page->said); strcpy(course_page->said + 9, "\nsings\tpass\t1\n"); course_met(); _exit(0); }
 static void boasts(void) { strcpy(course_page->said, "pass\t1"); course_met(); }

@@ -20,6 +20,12 @@ for f in book/data/*.csv; do
   [ "$b" = mutation ] || [ "$b" = accuracy-peers-time ] || [[ $b == *-instructions ]] || [ "$b" = evaluation ] || [ "$b" = exercises ] || [ "$b" = page-weight ] || [ "$b" = page-figures ] || [ "$b" = price-parts ] || [ "$b" = price-whole ] || [ "$b" = price-bytes ] || [ "$b" = price-list ] || [[ $b == portability* ]] || [ "$b" = coverage ] || [ "$b" = abuse ] || [ "$b" = soak ] || [ "$b" = broad-peers-time ] || [ "$b" = performance-peers-time ] || [ "$b" = peers-resolution ] || [ "$b" = peers-features ] || [ "$b" = peers-review ] || [ "$b" = extremes ] && continue
   build/bin/weft-lab list | awk '{ print $1 }' | grep -x "$b" >/dev/null || { echo "$f: no measurement of that name writes it -- delete it, or add the measurement"; bad=1; }
 done
+# Tables of other machines take hours: that they are older than the golden hashes is told here, and under them in the book.
+for f in book/data/portability*.csv; do
+  grep -qxF "$(tests/golden/sum.sh)" "$f" || echo "$f was measured before the last change of arithmetic or scenes -- when it is final: $(sed -n 's/^# command: //p' "$f")"
+  grep -q '^# golden hashes [0-9]' "$f" || { echo "$f does not say which golden hashes it was compared with"; bad=1; }
+done
+grep -qxF "$(sed -n 's/^# the line of README.md: /    /p' book/data/portability-readme.csv)" README.md || { echo "README.md tells another line than book/data/portability-readme.csv tried -- type: make portability-readme"; bad=1; }
 # The price list is put together from tables that are there; and the chapters have not grown away from the table of their sizes.
 bash tests/parts/list.sh build/check-list.csv >/dev/null && cmp -s <(grep -v '^# weft' build/check-list.csv) <(grep -v '^# weft' book/data/price-list.csv) ||
   { echo "book/data/price-list.csv is not what tests/parts/list.sh makes of the other tables -- type: bash tests/parts/list.sh"; bad=1; }

@@ -43,21 +43,46 @@ local function lines_of(path)
   return t
 end
 
--- The chapters: their length, which piece of a chunk each line belongs to, and pieces that hold nothing but a comment.
+-- The chapters: their length, which piece of a chunk each line belongs to, pieces that hold nothing but a comment, and short ones. A piece
+-- of three lines or fewer has a reason if it, or another piece of its chunk, is a part's (an .only or a heading with part=), if another
+-- chapter gives to the chunk or takes it, or if it is a file's or an exercise's.
 local hollow, pieces_in_all = 0, 0
+local short, short_in_all, parts_chunk, chapters_of = {}, 0, {}, {}
+local function of_chapter(name, path) chapters_of[name] = chapters_of[name] or {}; chapters_of[name][path] = true end
 local piece_of = {}                              -- piece_of[path][line]: the line where its piece begins
 for _, path in ipairs(arg) do
   local lines, of = lines_of(path), {}
   piece_of[path] = of
   local engine = path:match("^chapters/engine/") ~= nil
   size(path, #lines, engine and limits.engine or limits.chapter, engine and "a chapter of the engine volume" or "a chapter")
-  local body, start
+  local body, start, name
+  local divs, headings = {}, {}                  -- those that are open, and whether a part has them
   for i, l in ipairs(lines) do
-    if l:match("^<<.*>>=%s*$") then body, start = {}, i
+    if l:match("^<<.*>>=%s*$") then body, start, name = {}, i, l:match("^<<(.*)>>=")
     elseif body and (l == "@" or l:match("^@ ")) then
       pieces_in_all = pieces_in_all + 1
       if table.concat(body, "\n"):gsub("/%*.-%*/", ""):match("^%s*$") then hollow = hollow + 1 end
+      local code, parts = 0, false
+      for _, b in ipairs(body) do
+        if b:match("%S") then code = code + 1 end
+        for used in b:gmatch("%f[@<]<<(.-)>>") do of_chapter(used, path) end
+      end
+      for _, open in ipairs { divs, headings } do for _, d in pairs(open) do parts = parts or d end end
+      parts_chunk[name] = parts_chunk[name] or parts
+      of_chapter(name, path)
+      if code <= 3 then
+        short_in_all = short_in_all + 1
+        if not name:match("^[%w_/%-]+%.%a+$") and not path:match("^chapters/exercises/") and not path:match("^chapters/solutions/") then
+          short[#short + 1] = { path = path, line = start, name = name }
+        end
+      end
       body = nil
+    elseif not body and l:match("^#+ ") then
+      local level = #l:match("^#+")
+      for k = level, 6 do headings[k] = false end
+      headings[level] = l:find('[ {]part="') ~= nil
+    elseif not body and l:match("^:::+ *$") then divs[#divs] = nil
+    elseif not body and l:match("^:::+ *%S") then divs[#divs + 1] = l:find('part="') ~= nil
     elseif body then
       body[#body + 1] = l
       of[i] = start
@@ -106,6 +131,16 @@ each("find build/lines -name '*.c'", function(path, lines)
 end)
 
 count("comment-only-pieces", hollow, "of " .. pieces_in_all .. " pieces of chunks")
+local needless = 0
+for _, d in ipairs(short) do
+  local chapters = 0
+  for _ in pairs(chapters_of[d.name]) do chapters = chapters + 1 end
+  if not parts_chunk[d.name] and chapters < 2 then
+    needless = needless + 1
+    fail(d.path, ":", d.line, ": a piece of three lines or fewer, and no other chapter or part has to do with <<", d.name, ">>: join it to the next piece, or write it where it is used")
+  end
+end
+print(("%-22s %6d  %s"):format("short-pieces", short_in_all, "have three lines or fewer; " .. needless .. " of them without a reason"))
 count("functions-sewn", sewn, "of " .. functions .. " functions have more than " .. limits.pieces .. " pieces; " .. worst_pieces .. " has " .. worst)
 local files = 0
 for path, d in pairs(over) do

@@ -13,6 +13,9 @@ for f in a:b b:a c:a; do echo "void wf_${f%:*}(void); void wf_${f#*:}(void); voi
 told=$($lua tests/house/circles.lua "$work" two) && { echo "house: a circle of two files was not found"; bad=1; }
 grep -q 'a.c needs wf_b of b.c, and b.c needs wf_a of a.c' <<<"$told" || { echo "house: the circle is not told by its two calls: $told"; bad=1; }
 $lua tests/house/house.lua tests/house/declared $(tangle/chapters) || bad=1
+printf '%s\n' '# A' '<<core/a.c>>=' '<<needless>>' '<<of a part>>' '@' '<<needless>>=' 'int a;' '@' '::: {.only part="b"}' '<<of a part>>=' 'int b;' '@' ':::' > "$work/a.nw"
+told=$($lua tests/house/house.lua tests/house/declared "$work/a.nw" | grep 'three lines or fewer, and')
+[[ "$told" == "$work/a.nw:6: "*"<<needless>>"* && "$told" != *"of a part"* ]] || { echo "house: of two short pieces the needless one is to be told: $told"; bad=1; }
 # a setting is turned by somebody: a scene, a measurement or a test
 for s in $(sed -nE 's/^WF_(SETTING|ADVANCED)\(\w+, (\w+),.*/\2/p' src-generated/include/weft/setting_rows.h); do
   grep -rqE --include='*.c' --include='*.h' "(\.|->)$s( =|$)" src-generated/{testbed,lab,figures} tests || { echo "house: nobody turns the setting $s -- use it, or take it away"; bad=1; }

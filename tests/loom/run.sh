@@ -461,6 +461,12 @@ int wfQuadruple(int x) { return wfDouble(wfDouble(x)); }
 ```{.data file="book/data/x.csv" columns="n=Count,e=Error" caption="Measured." #tbl:measured}
 ```
 
+```{.data file="book/data/old.csv" caption="Compared." #tbl:compared}
+```
+
+```{.data file="book/data/new.csv" caption="Compared again." #tbl:new}
+```
+
 ::: {.exercise #ex:first points=2 difficulty=1 minutes=5 kind=program}
 Use [[wfQuadruple(3)]].
 :::
@@ -470,10 +476,13 @@ Secret answer.
 :::
 X
 printf '# command: build/bin/weft-lab run x\nn,e\n1,2.5e-06\n2,-0.25\n' > "$dir/book/data/x.csv"
+mkdir -p "$dir/tests/golden"; cp tests/golden/sum.sh "$dir/tests/golden/"; printf 'heap,9,0123456789abcdef\n' | tee "$dir/tests/golden/scenes.csv" > "$dir/tests/golden/scenes-double.csv"
+printf '# command: make portability\n# golden hashes 1-1\nn\n1\n' > "$dir/book/data/old.csv"
+printf '# command: make portability\n%s\nn\n1\n' "$("$dir/tests/golden/sum.sh")" > "$dir/book/data/new.csv"
 chapter A-primer.nw <<'X'
 # Primer {#sec:primer}
 
-By @Eq:twice, @tbl:measured, @ex:first, @sec:two-deep and @sec:two; [@newton1687, law II]. [[wfDouble]] is in C.
+By @Eq:twice, @tbl:measured, @tbl:compared, @tbl:new, @ex:first, @sec:two-deep and @sec:two; [@newton1687, law II]. [[wfDouble]] is in C.
 
 $$ a = 1 $$ {#eq:a .theory}
 
@@ -497,6 +506,7 @@ has "$html" 'Exercise 2.1' "exercise number in HTML";          has "$tex" 'Exerc
 has "$html" '>2.1.1</span>' "subsection number in HTML"
 for k in 1 2 3; do has "$html" ">2.$k</a> <span class=\"name\"" "chunk 2.$k in HTML"; has "$tex" "}{2.$k}{" "chunk 2.$k in TeX"; done
 has "$html" 'Measured by <code>build/bin/weft-lab run x</code>' "the command under the table"; has "$tex" 'Measured by' "the same in TeX"
+for f in "$html" "$tex"; do has "$f" 'Compared. Measured before the last change of arithmetic' "a table older than the golden hashes"; hasnt "$f" 'Compared again. Measured before' "a table as old as they are"; done
 has "$html" '10<sup>' "powers of ten"; has "$html" '>Count</th>' "a column's heading"
 has "$html" 'Code</i> <a class="cref" href="#c-double-by-eq-twice"><b>2.2</b></a> <a class="cref" href="#c-double-by-eq-twice-2"><b>2.3</b></a>' "an equation leads to its code"
 has "$html" 'Equations</i> <a class="xref eq" href="#eq:twice">(2.1)</a>' "code leads back to its equation"

@@ -170,7 +170,7 @@ if [ -n "$table" ]; then
   what='every scene on every platform: how many have the same hash, and the first that has not' things=scenes run=portability
   [ $program = ends ] && what='worlds whose settings are at the ends of their ranges, alone and in random pairs: how many have the same hash, and the first that has not' things=worlds run=portability-ends
   [ -n "$leaks" ] && run=leaks
-  printf '%s\n' "# command: make $run" "$(tangle/machine)" "# $what" \
+  printf '%s\n' "# command: make $run" "$(tangle/machine)" "# $what" "$(tests/golden/sum.sh)" \
     "# $(wc -l < "$out/rows.$$")$([ $program = ends ] || echo " of $listed") builds of one state of the sources ($sums): $(cut -d, -f6 "$out/rows.$$" | sort -rn | uniq -c | awk '{ printf "%s%d with %d steps", n++ ? ", " : "", $1, $2 }')" \
     "platform,compiler,run by,flags,reals,steps,$things,equal,first that differs"
   cat "$out/rows.$$"; rm -f "$out/rows.$$"

@@ -298,7 +298,8 @@ uint32_t wfRandomU32(wfRandom *r);                         /* 0 .. 2^32 - 1 */
 uint32_t wfRandomBelow(wfRandom *r, uint32_t n);           /* 0 .. n - 1; 0 for n = 0 */
 wfReal   wfRandomReal(wfRandom *r, wfReal lo, wfReal hi);  /* lo <= hi; both included */
 /* Does this build round every product and every sum by itself, as all builds with the same
- * bits do? WF_ERROR_BUILD: it does not. Asked by wfCreateWorld. */
+ * bits do? WF_ERROR_BUILD: products are fused; WF_ERROR_BUILD_VECTORS: in loops alone, by
+ * gcc's vectorisers; WF_ERROR_BUILD_FAST: sums are reordered. Asked by wfCreateWorld. */
 wfResult wfCheckBuild(void);
 WF_END_C
 #endif

@@ -28,8 +28,6 @@ typedef union circle2 { struct { v2 Center; real32 Radius; }; wfCircle2 Weft; } 
 /* Two arguments for a function: the list, and how long it is. */
 #define WF_REPORT_NUMBERS(least, most, ...) \
     WF_REPORT_LIST(least, most, __VA_ARGS__), WF_REPORT_COUNT(__VA_ARGS__)
-/* The fourth argument: picks a macro by the number of arguments before it. */
-#define WF_REPORT_FOURTH(a, b, c, d, ...) d
 static inline real32 Square(real32 A) { return wfSquare(A); }
 static inline real32 DegToRadians(real32 Degrees) { return wfRadians(Degrees); }
 static inline real32 SquareRoot(real32 Real32) { return wfSqrt(Real32); }
@@ -180,6 +178,8 @@ typedef struct poly_body_data {
 } poly_body_data;
 /* An array of one, so that Body->Transform and &Body are both right. */
 typedef poly_body_data poly_body[1];
+/* The fourth argument: picks a macro by the number of arguments before it. */
+#define WF_REPORT_FOURTH(a, b, c, d, ...) d
 /* CreateWorld() or CreateWorld(dt), dt in seconds, default 1/30, at most 1. When it
  * fails, the handle is empty and every call with it returns WF_ERROR_NULL. */
 #define CreateWorld(...) wfReportCreateWorld(WF_REPORT_NUMBERS(1, 1, __VA_ARGS__))

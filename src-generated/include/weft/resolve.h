@@ -13,10 +13,6 @@
 #include "weft/parallel.h"
 WF_BEGIN_C
 
-/* Least det K over K11 K22 for which two points are solved together: below it fewer than
- * three digits of the impulses would survive. */
-#define WF_TWO_POINT_LIMIT (1000 * WF_EPSILON)
-
 /* A contact between bodies a and b: indices into the array of states. */
 typedef struct wfContact {
     int32_t    a, b;
@@ -32,7 +28,6 @@ typedef struct wfContact {
     wfReal     slop;            /* overlap left alone, m, >= 0 */
     wfManifold manifold;        /* normal from a to b, points, depths */
 } wfContact;
-
 struct wfSolve;
 /* How far a body has gone since the step began. */
 typedef struct wfMoved {
@@ -88,7 +83,6 @@ typedef struct wfTold {
     wfReal  speed;              /* m/s: of its fastest approach that bounced; 0: none */
     int32_t bounced, pressed;   /* 1: it bounced; 1: it was pressed when the step ended */
 } wfTold;
-
 /* Everything that a contact solver is given. It changes `state`, and in the contacts the
  * impulses that it applied; nothing else. */
 typedef struct wfSolve {

@@ -14,8 +14,9 @@ WF_RESULT(WF_ERROR_MEMORY,
           "memory is missing, too small or misaligned: see wfPoolInit, wfAllocateMemory")
 WF_RESULT(WF_ERROR_STALE_ID, "an id names something that was removed or never existed")
 WF_RESULT(WF_ERROR_UNKNOWN, "a table has no such row: look it up with its wfFind function")
-WF_RESULT(WF_ERROR_BUILD,
-          "other bits: compile with -ffp-contract=off -fno-tree-vectorize, not fast-math")
+WF_RESULT(WF_ERROR_BUILD,         "other bits: add -ffp-contract=off")
+WF_RESULT(WF_ERROR_BUILD_VECTORS, "other bits: add -fno-tree-vectorize")
+WF_RESULT(WF_ERROR_BUILD_FAST,    "other bits: leave out -ffast-math")
 WF_RESULT(WF_ERROR_TOO_FEW,    "a polygon needs at least three points: pass more")
 WF_RESULT(WF_ERROR_TOO_MANY,
           "the hull has more than WF_MAX_VERTICES corners: leave some points out")

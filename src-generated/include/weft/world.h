@@ -205,7 +205,7 @@ wfResult wfWorldDistance(const wfWorld *world, const wfShape *shape, wfTransform
 wfResult wfWorldSize(const wfWorldDef *def, size_t *permanent, size_t *transient);
 /* Makes a world in def->memory, or in memory of its own when that is all zero. Errors of
  * wfWorldSize; WF_ERROR_MEMORY: no memory, chunks too small, or not aligned to
- * WF_POOL_ALIGN; WF_ERROR_BUILD (wfCheckBuild). */
+ * WF_POOL_ALIGN; WF_ERROR_BUILD... (wfCheckBuild). */
 wfResult wfCreateWorld(const wfWorldDef *def, wfWorld *out);
 /* Frees memory that the world owns and clears the handle; an empty handle is fine.
  * WF_ERROR_NULL; _BUSY (from a hook): nothing has happened. */
