@@ -194,21 +194,13 @@ void layer_bring(layer *l, const char *path)
     snprintf(l->brought, sizeof l->brought, "%s", path);
 }
 
-static const char *name_in(const char *path)
-{
-    const char *name = path;
-    for (; *path; path++)
-        if (*path == '/' || *path == '\\') name = path + 1;
-    return name;
-}
-
 /* A scene as text takes the place of the one that was brought before, if it is good. */
-static bool take_text(layer *l)
+static bool take_text(layer *l, const char *name)
 {
     static char said[460];
     char error[400] = "it can't be read", *text = read_text(l->brought);
     bool good = text && game_reads_scene(text, error, sizeof error);
-    snprintf(said, sizeof said, "%.50s: %s", name_in(l->brought), error);
+    snprintf(said, sizeof said, "%.50s: %s", name, error);
     free(good ? l->scene : text);
     if (good) l->memory.text = l->scene = text;
     else l->memory.news = said;
@@ -220,13 +212,13 @@ static void take_brought(layer *l)
 {
     game_file *f = &l->file;
     if (!l->brought[0] || (l->memory.file && f->wish != GAME_FILE_NONE)) return;
-    const char *name = name_in(l->brought);
+    const char *slash = strrchr(l->brought, '/'), *name = slash ? slash + 1 : l->brought;
     size_t length = strlen(name), room = sizeof f->name - 1;
     name += length > room ? length - room : 0;
     bool text = length >= 5 && strcmp(name + strlen(name) - 5, ".json") == 0;
     if (!l->memory.file || (!text && !fetch_file(l->brought, f)))
         l->memory.news = "the file can't be read";
-    else if (!text || take_text(l)) {
+    else if (!text || take_text(l, name)) {
         snprintf(f->name, sizeof f->name, "%s", name);
         f->wish = GAME_FILE_BROUGHT;
         f->answer = GAME_FILE_DONE;
@@ -353,13 +345,6 @@ static void tell_key(layer *l, game_input *in, int32_t kind, int32_t key)
     layer_event(l, in, &(game_event){ kind, 0, 0, key });
 }
 
-static layer_finger *find_finger(layer *l, int64_t id)
-{
-    for (int i = 0; i < LAYER_FINGERS; i++)
-        if (l->finger[i].down && l->finger[i].id == id) return &l->finger[i];
-    return NULL;
-}
-
 static void finger_comes(layer *l, game_input *in, int64_t id, float x, float y)
 {
     layer_finger *f = l->finger;
@@ -376,7 +361,9 @@ static void finger_comes(layer *l, game_input *in, int64_t id, float x, float y)
 
 void layer_touch(layer *l, game_input *in, int32_t kind, int64_t id, float x, float y)
 {
-    layer_finger *f = find_finger(l, id);
+    layer_finger *f = NULL;
+    for (int i = 0; i < LAYER_FINGERS; i++)
+        if (l->finger[i].down && l->finger[i].id == id) f = &l->finger[i];
     in->finger = 1;
     if (kind == GAME_EVENT_DOWN && !f) finger_comes(l, in, id, x, y);
     if (kind == GAME_EVENT_DOWN || !f) return;
