@@ -53,6 +53,23 @@
     shown = now;
   };
   const came = async hash => { going = true; await go(hash); shown = link(); going = false; };
+  // a file that is dropped on the page goes to the game by its card; what it is, and what is wrong with it, the game says
+  addEventListener('dragover', e => { if (e.dataTransfer.types.includes('Files')) e.preventDefault(); });
+  addEventListener('drop', async e => {
+    const file = e.dataTransfer.files[0];
+    if (!file) return;
+    e.preventDefault();
+    const bytes = new Uint8Array(await file.slice(0, 1 << 24).arrayBuffer()), name = file.name.replace(/[^ -~]/g, '-').slice(-39);
+    await game.more();
+    const give = x => {
+      new Uint8Array(x.memory.buffer, x.web_name(), name.length).set(Uint8Array.from(name, c => c.charCodeAt(0)));
+      if (!x.web_dropped(name.length, bytes.length)) return false;
+      new Uint8Array(x.memory.buffer, x.web_file_bytes(), bytes.length).set(bytes);
+      return true;
+    };
+    for (let i = 0; i < 9 && !game.act(give); i++) game.frame(0, 0);       // its settings may be on the card
+    game.frame(0, 0);
+  });
   if (/[=&]/.test(location.hash)) came(location.hash.slice(1));
   setInterval(follow, 500);
   addEventListener('popstate', () => came(location.hash.slice(1) || first));

@@ -106,6 +106,27 @@ void game_keep_settings(game *g)
     s->kept = sum;
 }
 
+/* A file that the user dropped on the window. A scene as text has come by another way. */
+static void take_brought(game *g)
+{
+    const char *end = strrchr(g->file->name, '.');
+    if (!end) end = "";
+    if (strcmp(end, ".save") == 0 || strcmp(end, ".weft") == 0) {
+        game_load_world(g);
+    } else if (strcmp(end, ".json") == 0 && g->text) {
+        wfCheckSceneText(g->text, &g->state->info, NULL);
+        wfSceneOfText(g->text, &g->state->info, &g->guest);
+        game_open_scene(g, game_scene_count(g) - 1);
+        game_look_home(g);
+    } else {
+        game_tell(g, true, strcmp(end, ".json") == 0
+                  ? "a scene as text opens in the program with a window, not here"
+                  : strcmp(end, ".rube") == 0
+                  ? "a .rube is for R.U.B.E.: export it as .json, then use weft-rube"
+                  : "neither a scene (.json) nor a saved world (.save)");
+    }
+}
+
 /* What came of the wish of an earlier frame. */
 void game_take_answer(game *g)
 {
@@ -113,11 +134,14 @@ void game_take_answer(game *g)
     game_file *f = g->file;
     if (!f || f->wish == GAME_FILE_NONE || f->answer == 0) return;
     bool good = f->answer == GAME_FILE_DONE, fetched = f->wish == GAME_FILE_FETCH;
+    bool brought = f->wish == GAME_FILE_BROUGHT;
     char line[TOOL_WORDS];
     f->wish = GAME_FILE_NONE;
     snprintf(line, sizeof line, good ? "kept: %s, %u bytes" : "the file %s: not to be had",
              f->name, (unsigned)f->size);
-    if (s->file_for == FILE_SETTINGS) {
+    if (brought) {
+        take_brought(g);
+    } else if (s->file_for == FILE_SETTINGS) {
         if (fetched && good && !read_settings(s, (const char *)f->bytes, f->size))
             game_tell(g, true, "settings.txt is not what it should be, and is not used");
         game_show_overlays(g);

@@ -189,6 +189,43 @@ static bool place_file(const layer *l, char *path, size_t size)
     return n > 0 && (size_t)n < size && plain_name(name);
 }
 
+void layer_bring(layer *l, const char *path)
+{
+    snprintf(l->brought, sizeof l->brought, "%s", path);
+}
+
+/* A scene as text takes the place of the one that was brought before, if it is good. */
+static bool take_text(layer *l, const char *name)
+{
+    static char said[460];
+    char error[400] = "it can't be read", *text = read_text(l->brought);
+    bool good = text && game_reads_scene(text, error, sizeof error);
+    snprintf(said, sizeof said, "%.50s: %s", name, error);
+    free(good ? l->scene : text);
+    if (good) l->memory.text = l->scene = text;
+    else l->memory.news = said;
+    return good;
+}
+
+/* Puts a file that was dropped on the card, or says why not. */
+static void take_brought(layer *l)
+{
+    game_file *f = &l->file;
+    if (!l->brought[0] || (l->memory.file && f->wish != GAME_FILE_NONE)) return;
+    const char *slash = strrchr(l->brought, '/'), *name = slash ? slash + 1 : l->brought;
+    size_t length = strlen(name), room = sizeof f->name - 1;
+    name += length > room ? length - room : 0;
+    bool text = length >= 5 && strcmp(name + strlen(name) - 5, ".json") == 0;
+    if (!l->memory.file || (!text && !fetch_file(l->brought, f)))
+        l->memory.news = "the file can't be read";
+    else if (!text || take_text(l, name)) {
+        snprintf(f->name, sizeof f->name, "%s", name);
+        f->wish = GAME_FILE_BROUGHT;
+        f->answer = GAME_FILE_DONE;
+    }
+    l->brought[0] = 0;
+}
+
 static void grant_wish(layer *l)
 {
     char path[1060];
@@ -268,6 +305,7 @@ bool layer_frame(layer *l, const game_input *input)
         snprintf(now.scene, sizeof now.scene, "%s", l->options->scene);
     l->memory.news = NULL;
     if (l->options->library) take_new_code(l);
+    take_brought(l);
     game_input told = now;
     if (l->frames == 0 && l->options->film) press(&told, GAME_KEY_FILM);
     if (l->frames == 0 && l->options->frames) press(&told, GAME_KEY_FRAMES);
@@ -276,6 +314,71 @@ bool layer_frame(layer *l, const game_input *input)
     bool over = l->options->steps >= 0 && l->frames > l->options->steps;
     if (l->options->log && (over || l->memory.still || l->frames % 6 == 1)) write_log(l);
     return !over;
+}
+
+/* The key of the scene's button at that pixel, as the game tells it; 0: there is none. */
+static int32_t button_key(const layer *l, float x, float y)
+{
+    static const int32_t key[] = { GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
+                                   GAME_KEY_DOWN, GAME_KEY_ENTER };
+    static char text[1 << 18];
+    unsigned bits = 0, held;
+    float left, top, wide, high, gap;
+    l->code.describe(&l->memory, text, sizeof text);
+    const char *line = strstr(text, "\ncontrols ");
+    if (!line || sscanf(line, "\ncontrols %u %u pixel %f %f %f %f %f", &bits, &held, &left,
+                        &top, &wide, &high, &gap) != 7) return 0;
+    if (y < top || y >= top + high) return 0;
+    for (int k = 0; k < 5; k++) {
+        if (!(bits & 1u << k)) continue;
+        if (x >= left && x < left + wide) return key[k];
+        left += wide + gap;
+    }
+    return 0;
+}
+
+/* A finger's key goes down, or up when no other finger holds it. */
+static void tell_key(layer *l, game_input *in, int32_t kind, int32_t key)
+{
+    for (int i = 0; i < LAYER_FINGERS; i++)
+        if (l->finger[i].down && l->finger[i].key == key) return;
+    layer_event(l, in, &(game_event){ kind, 0, 0, key });
+}
+
+static void finger_comes(layer *l, game_input *in, int64_t id, float x, float y)
+{
+    layer_finger *f = l->finger;
+    int32_t key = button_key(l, x, y);
+    bool mouse = false;
+    for (int i = 0; i < LAYER_FINGERS; i++)
+        mouse |= l->finger[i].down && l->finger[i].key == 0;
+    while (f < l->finger + LAYER_FINGERS && f->down) f++;
+    if (f == l->finger + LAYER_FINGERS || (key == 0 && mouse)) return;
+    if (key) tell_key(l, in, GAME_EVENT_KEY, key);
+    else layer_event(l, in, &(game_event){ GAME_EVENT_DOWN, x, y, GAME_BUTTON_LEFT });
+    *f = (layer_finger){ true, id, key };
+}
+
+void layer_touch(layer *l, game_input *in, int32_t kind, int64_t id, float x, float y)
+{
+    layer_finger *f = NULL;
+    for (int i = 0; i < LAYER_FINGERS; i++)
+        if (l->finger[i].down && l->finger[i].id == id) f = &l->finger[i];
+    in->finger = 1;
+    if (kind == GAME_EVENT_DOWN && !f) finger_comes(l, in, id, x, y);
+    if (kind == GAME_EVENT_DOWN || !f) return;
+    if (f->key == 0) {
+        layer_event(l, in, &(game_event){ kind, x, y, GAME_BUTTON_LEFT });
+        if (kind == GAME_EVENT_UP) f->down = false;
+        return;
+    }
+    int32_t last = f->key, key = kind == GAME_EVENT_MOVE ? button_key(l, x, y) : 0;
+    if (kind == GAME_EVENT_MOVE && (key == 0 || key == last)) return;
+    f->down = false;
+    tell_key(l, in, GAME_EVENT_KEY_UP, last);
+    if (key) tell_key(l, in, GAME_EVENT_KEY, key);
+    f->key = key;
+    f->down = key != 0;
 }
 
 /* Frames that stand still, the first with this key; until a file has come out, if any is

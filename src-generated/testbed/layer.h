@@ -37,6 +37,10 @@ typedef struct game_code {
 bool game_code_refresh(game_code *code, const char *path);
 void game_code_close(game_code *code);
 
+enum { LAYER_FINGERS = 10 };
+/* A finger on the screen. Its key is that of the button below it; 0: it is the mouse. */
+typedef struct layer_finger { bool down; int64_t id; int32_t key; } layer_finger;
+
 typedef struct layer {
     const layer_options *options;
     game_memory memory;
@@ -48,6 +52,8 @@ typedef struct layer {
     input_script script;
     FILE *record;
     game_input last;            /* the input of the last frame */
+    char brought[1024];         /* the path of a file that waits for the card; or "" */
+    layer_finger finger[LAYER_FINGERS];
     int64_t frames;
     game_code code;             /* the game itself: what is linked in, or a library's */
 } layer;
@@ -67,6 +73,10 @@ double layer_now(void);
 bool layer_frame(layer *l, const game_input *input);
 /* Adds an event to a frame's input; what its order would spoil is played before, unseen. */
 void layer_event(layer *l, game_input *in, const game_event *e);
+/* A finger of that number came (DOWN), moves (MOVE) or goes (UP), at a pixel. */
+void layer_touch(layer *l, game_input *in, int32_t kind, int64_t id, float x, float y);
+/* The user dropped this file; it goes to the game as soon as the card is at home. */
+void layer_bring(layer *l, const char *path);
 
 /* After the last frame: saves the pictures that the options name. */
 bool layer_finish(layer *l);

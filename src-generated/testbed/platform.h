@@ -9,7 +9,8 @@
 enum { GAME_NAME_SIZE = 40 };
 
 /* a file that goes in or out */
-enum { GAME_FILE_NONE, GAME_FILE_KEEP, GAME_FILE_FETCH, GAME_FILE_EXPORT };
+enum { GAME_FILE_NONE, GAME_FILE_KEEP, GAME_FILE_FETCH, GAME_FILE_EXPORT,
+       GAME_FILE_BROUGHT };         /* by the user: the platform's wish, and DONE */
 enum { GAME_FILE_DONE = 1, GAME_FILE_FAILED = -1 };
 enum { GAME_FILE_BYTES = 16 * 1024 * 1024 };
 

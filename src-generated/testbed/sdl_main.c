@@ -5,6 +5,8 @@
 #include <string.h>
 #include <SDL.h>
 #include "testbed/layer.h"
+#include "testbed/raster.h"
+#include "testbed/workers.h"
 
 typedef struct sdl_app {
     SDL_Window *window;
@@ -43,6 +45,8 @@ static bool open_window(sdl_app *app, const layer_options *o)
                         "weft-headless runs scenes without one\n");
         return false;
     }
+    SDL_SetHint(SDL_HINT_FRAMEBUFFER_ACCELERATION, "0");
+    SDL_SetHint(SDL_HINT_TOUCH_MOUSE_EVENTS, "0");
     float s = o->scale;
     SDL_Rect room = { 0, 0, 8192, 8192 }; /* what the screen has for windows */
     SDL_GetDisplayUsableBounds(0, &room);
@@ -112,6 +116,16 @@ static void take(sdl_app *app, int32_t kind, float x, float y, int32_t code)
     layer_event(app->layer, &app->input, &(game_event){ kind, x, y, code });
 }
 
+static void take_finger(sdl_app *app, const SDL_TouchFingerEvent *e)
+{
+    const frame_buffer *b = &app->layer->buffer;
+    int32_t kind = e->type == SDL_FINGERDOWN ? GAME_EVENT_DOWN
+                 : e->type == SDL_FINGERUP ? GAME_EVENT_UP : GAME_EVENT_MOVE;
+    if (SDL_GetTouchDeviceType(e->touchId) > SDL_TOUCH_DEVICE_DIRECT) return;
+    layer_touch(app->layer, &app->input, kind, e->fingerId, e->x * (float)b->width,
+                e->y * (float)b->height);
+}
+
 static void take_event(sdl_app *app, const SDL_Event *e)
 {
     float k = app->density;
@@ -119,16 +133,23 @@ static void take_event(sdl_app *app, const SDL_Event *e)
     switch (e->type) {
     case SDL_QUIT: app->open = false; break;
     case SDL_MOUSEMOTION:
-        app->input.finger = e->motion.which == SDL_TOUCH_MOUSEID;
+        app->input.finger = 0;
         take(app, GAME_EVENT_MOVE, k * (float)e->motion.x, k * (float)e->motion.y, 0);
         break;
     case SDL_MOUSEBUTTONDOWN: case SDL_MOUSEBUTTONUP:
-        app->input.finger = e->button.which == SDL_TOUCH_MOUSEID;
+        app->input.finger = 0;
         take(app, down ? GAME_EVENT_DOWN : GAME_EVENT_UP, k * (float)e->button.x,
              k * (float)e->button.y, button_of(e->button.button));
         SDL_CaptureMouse(app->input.held ? SDL_TRUE : SDL_FALSE);
         break;
     case SDL_MOUSEWHEEL: take(app, GAME_EVENT_WHEEL, 0, e->wheel.preciseY, 0); break;
+    case SDL_FINGERDOWN: case SDL_FINGERMOTION: case SDL_FINGERUP:
+        take_finger(app, &e->tfinger);
+        break;
+    case SDL_DROPFILE:
+        layer_bring(app->layer, e->drop.file);
+        SDL_free(e->drop.file);
+        break;
     case SDL_KEYDOWN:
         take(app, GAME_EVENT_KEY, 0, 0, e->key.keysym.mod & (KMOD_CTRL | KMOD_GUI)
              ? with_control(&e->key) : key_of(e->key.keysym.sym));
@@ -199,10 +220,15 @@ static bool run_window(layer *l)
     sdl_app app;
     memset(&app, 0, sizeof app);
     app.layer = l;
+    int32_t hands = l->options->workers > 0 ? l->options->workers : SDL_GetCPUCount();
+    work_pool *pool = work_pool_open(hands < 4 ? hands : 4);
+    wfShareDrawing(work_pool_lend(pool));
     bool good = open_window(&app, l->options);
     if (!good) fprintf(stderr, "weft-testbed: %s\n", SDL_GetError());
     good = good && run(&app);
     close_window(&app);
+    wfShareDrawing((wfWorkers){ NULL, NULL });
+    work_pool_close(pool);
     return good;
 }
 

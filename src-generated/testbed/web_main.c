@@ -95,6 +95,19 @@ EXPORT("web_file_name") char *web_file_name(void) { return file.name; }
 EXPORT("web_file_bytes") uint8_t *web_file_bytes(void) { return file.bytes; }
 EXPORT("web_file_size") size_t web_file_size(void) { return file.size; }
 
+/* A dropped file: its name (as many bytes) is in web_name(), so many bytes are on the card.
+ * 0: the card is out. */
+EXPORT("web_dropped") int web_dropped(int length, size_t size)
+{
+    if (file.wish != GAME_FILE_NONE || length < 1 || length >= GAME_NAME_SIZE) return 0;
+    memcpy(file.name, text, (size_t)length);
+    file.name[length] = 0;
+    file.size = size < sizeof file_bytes ? size : sizeof file_bytes;
+    file.wish = GAME_FILE_BROUGHT;
+    file.answer = GAME_FILE_DONE;
+    return 1;
+}
+
 /* The wish was granted (1), or not (-1); of what was fetched there are so many bytes. */
 EXPORT("web_grant") void web_grant(int answer, size_t size)
 {

@@ -176,6 +176,50 @@ until_true "it is dark again, without the list" is dark 1
 until_true "the list stays hidden" is list 0
 kill -TERM "$app"; wait "$app" || fail "the program left badly"
 app=
+# -- what xdotool can't do comes as events of SDL: fingers on buttons, and files that are dropped
+${CC:-cc} -O1 -shared -fPIC $(pkg-config --cflags sdl2) tests/testbed/events.c -o "$work/events.so" -ldl || fail "events.c"
+rm -f "$log"; : > "$work/events"
+SDL_RENDER_DRIVER=software LD_PRELOAD="$work/events.so" WEFT_EVENTS="$work/events" "$program" --scene race-car --size 1100x700 --folder "$work" --log "$log" & app=$!
+for i in $(seq 200); do [ -s "$log" ] && break; sleep 0.1; done
+# finger WHAT ID BUTTON: on the scene's button of that number
+finger() { set -- "$1" "$2" "$3" $(fact controls); awk -v what="$1" -v id="$2" -v i="$3" -v x="$7" -v y="$8" -v w="$9" -v h="${10}" -v gap="${11}" \
+  'BEGIN { print what, id, (x + i * (w + gap) + w / 2) / 1100, (y + h / 2) / 700 }' >> "$work/events"; }
+holds() { set -- "$1" $(fact controls); [ "$3" = "$1" ]; }
+until_true "a car to be driven" is scene "race car"
+finger down 3 0
+until_true "a finger steers left" holds 1
+finger down 5 2
+until_true "another gives gas" holds 5
+finger move 3 1
+until_true "the first slides to the right" holds 6
+finger up 5 2
+until_true "the second lets go" holds 2
+finger up 3 1
+until_true "and the first" holds 0
+key w
+saved() { [ -s "$work/world.save" ]; }
+until_true "the world is saved" saved
+mv "$work/world.save" "$work/mine.weft"
+echo "drop $PWD/testbed/scenes/not-there.json" >> "$work/events"
+says() { grep -q "^said .*$1" "$log"; }
+until_true "a file that is not there is told" says "can't be read"
+printf '{ "weft": 1,\n "bodies": [ 1' > "$work/half.json"
+echo "drop $work/half.json" >> "$work/events"
+until_true "half a scene is told, with its line" says 'half.json: line 2'
+: > "$work/car.rube"
+echo "drop $work/car.rube" >> "$work/events"
+until_true "a file of R.U.B.E. is told to be exported" says 'export it'
+is scene "race car" || fail "a bad file changed the scene"
+printf '{ "weft": 1, "name": "three", "bodies": [ { "type": "static", "shapes": [{ "kind": "polygon", "vertices": [[-9, -1], [9, -1], [9, 0], [-9, 0]] }] },
+  { "position": [0, 3], "shapes": [{ "kind": "circle", "radius": 0.5 }] }, { "position": [1.5, 3], "shapes": [{ "kind": "circle", "radius": 0.5 }] } ] }' > "$work/three.json"
+echo "drop $work/three.json" >> "$work/events"
+until_true "a scene that is dropped is opened" is scene three
+is bodies 3 || fail "it has $(fact bodies) bodies"
+import -window root "$out/testbed-dropped.png"
+echo "drop $work/mine.weft" >> "$work/events"
+until_true "a saved world that is dropped is opened" is scene "race car"
+kill -TERM "$app"; wait "$app" || fail "the program left badly"
+app=
 # -- twice the size asks for more than the screen has: the window fits it
 SDL_RENDER_DRIVER=software "$program" --scene stack-of-boxes --scale 2 & app=$!
 window=$(xdotool search --sync --onlyvisible --pid "$app" | head -1)

@@ -71,4 +71,32 @@ check(url.length > 100 && url.length < 8500, `the link has ${url.length} letters
 const came = await open(url.replace(/^[^#]*/, ''), 'reduce');       // it begins paused
 await came.until('bodies', bodies);
 await came.until('hash', hash);
+// a saved world that is dropped on the page is loaded; what is no saved world is told, and nothing else happens
+const drop = (page, name, letters) => page.evaluate(async ([name, letters]) => {
+  const data = new DataTransfer(), bytes = Uint8Array.from(atob(letters), c => c.charCodeAt(0)), over = new DragEvent('dragover', { dataTransfer: data, bubbles: true, cancelable: true });
+  data.items.add(new File([bytes], name));
+  const taken = [!document.getElementById('testbed').dispatchEvent(over)];
+  taken.push(!document.getElementById('testbed').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true })));
+  await new Promise(done => setTimeout(done, 300));
+  return taken.every(t => t);
+}, [name, letters]);
+const world = await made.evaluate(async () => {
+  const g = document.getElementById('testbed').game;
+  for (const key of [0, 119, 0, 0]) { if (key) g.key(key); g.frame(0, 0); }
+  return localStorage.getItem('weft/world.save');
+});
+check(world && world.length > 100, 'the world is not kept');
+const kept = await made.tell('hash');
+await page.evaluate(() => document.getElementById('testbed').game.open('dominoes'));
+await page.until('scene', 'dominoes');
+check(await drop(page, 'A friend’s world, in May.weft', world), 'the page does not take a file');
+await page.until('scene', 'stack of boxes');
+await page.until('bodies', bodies);
+await page.evaluate(() => { const g = document.getElementById('testbed').game; g.open('dominoes'); g.frame(0, 0); g.key(112); g.frame(0, 0); });
+const still = await page.tell('hash');
+for (const [name, letters, said] of [['half.save', world.slice(0, 400), /bytes|save/], ['empty.save', '', /save/], ['a.json', btoa('{}'), /program/], ['a.rube', '', /export/], ['a.png', '', /neither/]]) {
+  await drop(page, name, letters);
+  check(said.test(await page.tell('said')), `${name}: ${await page.tell('said')}`);
+  check(await page.tell('hash') === still, `${name}: the world is another`);
+}
 await end();
