@@ -71,4 +71,12 @@ check(url.length > 100 && url.length < 8500, `the link has ${url.length} letters
 const came = await open(url.replace(/^[^#]*/, ''), 'reduce');       // it begins paused
 await came.until('bodies', bodies);
 await came.until('hash', hash);
+
+// an address that was cut in the middle of a letter opens the page, which goes on following its address
+const cut = await open('#%E0%A4%A');
+await cut.until('said', 'there is no scene %E0%A4%A');
+await cut.evaluate(() => { location.hash = '#%E0'; });
+await cut.until('said', 'there is no scene %E0');
+await cut.evaluate(() => { location.hash = '#cradle'; });
+await cut.until('scene', 'cradle');
 await end();
