@@ -24,7 +24,7 @@
   // the scene of an address; the name of a challenge's says so
   const named = hash => {
     const told = new URLSearchParams(hash.includes('=') ? hash : ''), task = told.get('challenge');
-    return task ? 'challenge=' + task : hash.includes('=') ? told.get('scene') : decodeURIComponent(hash);
+    return task ? 'challenge=' + task : hash.includes('=') ? told.get('scene') : game.plain(hash);
   };
   const go = async hash => {
     const told = new URLSearchParams(hash.includes('=') ? hash : ''), scene = named(hash), world = told.get('world');

@@ -476,7 +476,10 @@
     const whole = document.getElementById('testbed');
     if (whole) {
       const hash = location.hash.slice(1);
-      makeGame(whole, decodeURIComponent(hash.replace(/^scene=/, '').replace(/&.*/, '')), { whole: true }).then(game => {
+      // an address that was cut in the middle of a letter is no reason for an empty page
+      const plain = text => { try { return decodeURIComponent(text); } catch (e) { return text; } };
+      makeGame(whole, plain(hash.replace(/^scene=/, '').replace(/&.*/, '')), { whole: true }).then(game => {
+        game.plain = plain;
         if (matchMedia('(prefers-reduced-motion: reduce)').matches) game.key(112);      // it begins paused
         game.run();
         whole.focus();

@@ -773,6 +773,9 @@ TEST(overlays_keys_and_views_answer)
     play_run(&p, "key d\nkey ?\nframe\n");
     assert_int_equal((int)play_fact(&p, "dark", 0), 0);
     assert_int_equal((int)play_fact(&p, "keys", 0), 1);
+    play_run(&p, "key escape\nframe\n");                  /* Escape closes the sheet */
+    assert_int_equal((int)play_fact(&p, "keys", 0), 0);
+    play_run(&p, "key ?\nframe\n");
     double x = play_fact(&p, "view", 0), y = play_fact(&p, "view", 1), height = play_fact(&p, "view", 2);
     play_run(&p, "move 600 400\nframe\ndown right\nframe\nmove 700 450\nframe\nup right\nframe\nwheel 2\nframe\n");
     assert_true(play_fact(&p, "view", 0) < x && play_fact(&p, "view", 1) > y);   /* the world was pulled right and down */

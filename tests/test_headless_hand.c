@@ -363,6 +363,24 @@ TEST(it_opens_on_a_scene_with_life_and_a_hint)
     play_end(&p);
 }
 
+TEST(the_hint_keeps_off_the_key_sheet)
+{
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "steps 1\nwait 60\nkey s\nframe\nframe\n");
+    for (int sheet = 0; sheet < 2; sheet++) {
+        int warm = 0;                                               /* pixels of the hint's colour where the sheet's last lines are */
+        if (sheet) play_run(&p, "key ?\nframe\nframe\n");
+        assert_true(play_says(&p, "hint 1"));
+        for (int y = 590; y < 630; y++)
+            for (int x = 215; x < 515; x++) {
+                uint32_t c = p.buffer.pixels[y * p.buffer.pitch + x];
+                warm += (int)(c & 255) - (int)(c >> 16 & 255) > 60;
+            }
+        if (sheet ? warm != 0 : warm == 0) fail_msg("%s the sheet %d pixels have the colour of the hint", sheet ? "on" : "without", warm);
+    }
+    play_end(&p);
+}
+
 TEST(a_scene_that_all_have_left_begins_again)
 {
     for (int keep = 0; keep < 2; keep++) {

@@ -327,7 +327,7 @@ void game_obey_key(game *g, int32_t key)
     case 'm': case 'M': put_mark(g); break;
     case 'n': case 'N': choose_next(g); break;
     case GAME_KEY_DELETE: remove_chosen(g); break;
-    case GAME_KEY_ESCAPE: s->menu = 0; break;
+    case GAME_KEY_ESCAPE: s->menu = s->keys = 0; break;
     default:
         if (!s->ui.focus && !game_drives(g, game_key_bit(key))) obey_view_key(g, key);
         break;

@@ -101,7 +101,9 @@ void game_press_write(game *g)
     game_file *f = g->file;
     wfResult result = wfTextOfWorld(&g->world, &info, (char *)f->bytes, f->capacity,
                                     &f->size);
-    if (result != WF_OK) game_tell(g, true, wfResultText(result));
+    if (result == WF_ERROR_TEXT)
+        game_tell(g, true, "this testbed was built without JSON: save the world instead");
+    else if (result != WF_OK) game_tell(g, true, wfResultText(result));
     else game_wish(g, GAME_FILE_EXPORT, FILE_TEXT, "scene.json");
 }
 

@@ -52,7 +52,7 @@ static void interface(ui *u, game *g, double seconds)
     game_time_bar(u, g);
     if (s->opened && game_drives_any(g)) game_controls(u, g);
     if (s->keys) game_key_sheet(u, s, x);
-    if (s->hint)
+    if (s->hint && !s->keys)                            /* the sheet may lie there */
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
                 s->height - FOOT - TIME_BAR - 14 - game_controls_high(g), 16,
                 WF_INK_ACCENT, 0,

@@ -99,4 +99,12 @@ for (const [name, letters, said] of [['half.save', world.slice(0, 400), /bytes|s
   check(said.test(await page.tell('said')), `${name}: ${await page.tell('said')}`);
   check(await page.tell('hash') === still, `${name}: the world is another`);
 }
+
+// an address that was cut in the middle of a letter opens the page, which goes on following its address
+const cut = await open('#%E0%A4%A');
+await cut.until('said', 'there is no scene %E0%A4%A');
+await cut.evaluate(() => { location.hash = '#%E0'; });
+await cut.until('said', 'there is no scene %E0');
+await cut.evaluate(() => { location.hash = '#cradle'; });
+await cut.until('scene', 'cradle');
 await end();

@@ -52,5 +52,9 @@ await shows(told, 'seesaw');
 await told.waitForTimeout(1500);
 check(+await fact(told, 'steps') > 10, `seesaw makes ${await fact(told, 'steps')} steps`);
 check((await told.evaluate(() => location.hash)).startsWith('#scene=seesaw'), `the address says ${await told.evaluate(() => location.hash)}`);
+
+// the page writes no JSON, and says what else keeps the world
+await told.evaluate(async () => { const g = document.getElementById('testbed').game; await g.more(); g.key(117); for (let i = 0; i < 4; i++) g.frame(0, 0); });
+same(await fact(told, 'said'), 'this testbed was built without JSON: save the world instead', 'U in the page');
 await told.close();
 await end();
