@@ -721,10 +721,13 @@ function Course.lint(all)
       e.name_of = text:match("^# (.-)%s*{#")
       for _, h in ipairs(criteria_of(e.base)) do if not text:find("<<" .. h.hole .. ">>", 1, true) then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s names the chunk <<%s>>, which the starter does not have", h.name, h.hole) end end
       for i, f in ipairs { test_file(e.base, "c"), solution_file(e.base), test_file(e.base, "wrong") } do
-        if (i == 1 or #list(SOLUTIONS, "nw") > 0) and not read(f) then bad(e, "%s is missing", f) end       -- what a class gets has no solutions
+        if (i == 1 or #list(SOLUTIONS, "nw") > 0) and not read(f) then      -- what a class gets has no solutions
+          local ends = ({ "c", "solution", "wrong" })[i]
+          bad(e, "%s of exercise %s are missing -- write %s, or <<exercises/%s.%s>> in this chapter", ({ "the criteria", "the solution's chunks", "the wrong solutions" })[i], e.base, f, e.base, ends)
+        end
       end
       if not extra[e.base .. ".nw"] and #list(SOLUTIONS, "nw") > 0 and #Course.rubric(e.base) == 0 then bad(e, "what a good explanation says is missing -- add lines for %s to %s/rubrics.tsv", e.base, SOLUTIONS) end
-    elseif e.starter then bad(e, "starter=%s, but there is no %s/%s.nw", e.starter, STARTERS, e.starter) end
+    elseif e.starter then bad(e, "starter=%s, but there is no %s/%s.nw -- write it, or <<exercises/%s.nw>> in this chapter", e.starter, STARTERS, e.starter, e.starter) end
   end
   for _, e in ipairs(all) do
     for _, c in ipairs(e.base and criteria_of(e.base) or {}) do if c.points % 1 ~= 0 then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s has %g points -- points are whole numbers", c.name, c.points) end end
