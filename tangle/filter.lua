@@ -630,7 +630,7 @@ local function extensions()
     local place = (tonumber(id:match("%-(%d+)$")) or 1) + ((c.online or Code.far(db, c.page)) and 1000 or 0)
     if not first[c.name] or place < first[c.name][2] then first[c.name] = { id, place } end
   end
-  local r, name, into = pandoc.List { rawb("\\begingroup\\footnotesize\\wKind=1 \\parindent0pt\\parskip1pt plus 1pt") }, nil, nil
+  local r, name, into = pandoc.List { rawb("\\begingroup\\fontsize{9}{10.4}\\selectfont\\wKind=1 \\parindent0pt\\parskip1pt plus 1pt") }, nil, nil
   for _, b in ipairs(blocks) do
     if b.t == "Header" then name, into = stringify(b), nil
     elseif b.t == "Para" then b:walk { Code = function(el) into = el.text:match("^<<(.*)>>$") or into end }
@@ -643,7 +643,7 @@ local function extensions()
         if i == 3 then entry:extend { pandoc.Space(), pandoc.Emph "Gets", pandoc.Space() } end
         entry:extend(said)
       end
-      if into then entry:insert(raw(" Functions: \\wName{" .. Code.name(db, into, "tex") .. "}.")) end
+      if into then entry:insert(raw(" Code: \\wName{" .. Code.name(db, into, "tex") .. "}.")) end
       r:insert(pandoc.Para(entry))
       name = nil
     end
