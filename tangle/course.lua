@@ -702,11 +702,14 @@ end
 
 -- What the chapters' lists must have, and that nothing of a set of files is missing.
 function Course.lint(all)
-  local errors, by = {}, {}
+  local errors, by, numbered = {}, {}, {}
   local function bad(e, ...) errors[#errors + 1] = (type(e) == "table" and e.file .. ":" .. e.line or e) .. ": " .. string.format(...) end
   local kinds = { understand = 0, derive = 0, program = 0, explore = 0 }
   for _, e in ipairs(all) do
     if not e.label then bad(e, "an exercise has no label -- write #ex:name") end
+    local same = numbered[e.number]
+    if same then bad(e, "exercise %s is in %s:%d, too -- give one of the two files another number", e.number, same.file, same.line) end
+    numbered[e.number] = e
     for _, k in ipairs { "points", "minutes", "difficulty" } do if not e[k] then bad(e, "the exercise has no %s= -- write {.exercise #ex:name points=2 difficulty=1 minutes=20 kind=derive}", k) end end
     if not kinds[e.kind or ""] then bad(e, "kind=%s -- one of understand, derive, program, explore", tostring(e.kind)) else kinds[e.kind] = kinds[e.kind] + 1 end
     local c = by[e.chapter] or { file = e.file, volume = e.volume, part = e.part, n = 0, starters = 0 }
@@ -717,7 +720,7 @@ function Course.lint(all)
       c.starters = c.starters + 1
       if e.kind ~= "program" then bad(e, "exercise %s has a starter, so it is of the kind program", e.number) end
       local text = read(starter_file(e.base))
-      if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s and says starter=%s", e.label, e.number, e.base) end
+      if not text:find("@ex:" .. e.label, 1, true) then bad(e, "the starter %s does not name @ex:%s -- name it there, or give this exercise a starter of its own", starter_file(e.base), e.label) end
       e.name_of = text:match("^# (.-)%s*{#")
       for _, h in ipairs(criteria_of(e.base)) do if not text:find("<<" .. h.hole .. ">>", 1, true) then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s names the chunk <<%s>>, which the starter does not have", h.name, h.hole) end end
       for i, f in ipairs { test_file(e.base, "c"), solution_file(e.base), test_file(e.base, "wrong") } do
