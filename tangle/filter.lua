@@ -630,13 +630,13 @@ local function extensions()
     local place = (tonumber(id:match("%-(%d+)$")) or 1) + ((c.online or Code.far(db, c.page)) and 1000 or 0)
     if not first[c.name] or place < first[c.name][2] then first[c.name] = { id, place } end
   end
-  local r, name, into = pandoc.List { rawb("\\begingroup\\fontsize{9}{10.4}\\selectfont\\wKind=1 \\parindent0pt\\parskip1pt plus 1pt") }, nil, nil
+  local r, name, into = pandoc.List { rawb("\\begingroup\\fontsize{9}{10.2}\\selectfont\\wKind=1 \\parindent0pt\\parskip0.5pt plus 1pt") }, nil, nil
   for _, b in ipairs(blocks) do
     if b.t == "Header" then name, into = stringify(b), nil
     elseif b.t == "Para" then b:walk { Code = function(el) into = el.text:match("^<<(.*)>>$") or into end }
     elseif b.t == "BulletList" and first[name] then
       local id, place = table.unpack(first[name])
-      local entry = pandoc.List { raw("\\hangindent1em\\wName{" .. Code.name(db, name, "tex") .. "} " .. chunk_link(id) .. (place < 1000 and ", page~\\pageref{" .. id .. "}" or "") .. ": ") }
+      local entry = pandoc.List { raw("\\hangindent1em\\wName{" .. Code.name(db, name, "tex") .. "} " .. chunk_link(id) .. (place < 1000 and ", p.~\\pageref{" .. id .. "}" or "") .. ": ") }
       for i = 1, 3, 2 do
         local said = b.content[i][1].content
         said:remove(1); said:remove(1)                    -- "A row keeps: ", "It gets: "

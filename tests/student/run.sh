@@ -91,7 +91,8 @@ everything() {
   mkdir -p "$out/course"; nm -g --defined-only "$out"/lib/*.a 2>/dev/null | sed -nE 's/^.* [A-Z] //p' | sort -u > "$out/course/engine.names"
   tangle/course lint > "$out.log" 2>&1 && tangle/course prove bumper-bounce > "$out.log" 2>&1 && grep -q '^ok   bumper-bounce .* 2 wrong solutions' "$out.log" || { tail -20 "$out.log"; echo "an exercise whose files are chunks isn't proved"; return 1; }
   sed '/^<<exercises\/bumper-bounce.solution>>=/,/^@$/d' "$all" > "$out/63-bumper.nw"
-  EXTRA=$out/63-bumper.nw tangle/course lint 2>&1 | grep -q "^$out/63-bumper.nw:[0-9]*: the solution's chunks of exercise bumper-bounce are missing -- write .*<<exercises/bumper-bounce.solution>>" || { echo "a solution that is missing isn't told, or not how to mend it"; return 1; }
+  EXTRA=$out/63-bumper.nw tangle/course lint > "$out.log" 2>&1 || true
+  grep "^$out/63-bumper.nw:[0-9]*: the solution's chunks of exercise bumper-bounce are missing -- write .*<<exercises/bumper-bounce.solution>>" "$out.log" > /dev/null || { echo "a solution that is missing isn't told, or not how to mend it"; return 1; }
   NAME=extender tangle/course exercise bumper-bounce > "$out.log" && grep -q '<<bumper: the new velocity>>' coursework/extender/bumper-bounce.nw || { rm -rf coursework/extender; echo "an extender's exercise isn't handed out"; return 1; }
   if tangle/room there; then
     rm -rf "$out/class"; mkdir -p "$out/class/ada"; "$(tangle/lua)" tangle/course.lua composed bumper-bounce "$out/class/ada/bumper-bounce.nw"
