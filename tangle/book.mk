@@ -20,7 +20,7 @@ book: html pdf
 endif
 
 # -- the material: one pass over all chapters; the files in $(W) are written only when they change
-$(W)/.stamp: $(NW) $(BUILD)/chapters.list $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard EXTENDING.md book/glossary.tsv book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv tests/examples/*)
+$(W)/.stamp: $(NW) $(BUILD)/chapters.list $(LOOM) tangle/bib book/plan.tsv book/page.html $(wildcard book/glossary.tsv book/refs.bib book/cover.svg book/plots/*.gp book/data/*.csv tests/examples/*)
 	@mkdir -p $(W) $(HTML)/data
 	@tangle/bib $(W)
 	@tangle/weave $(if $(TOLERANT),--tolerant) $(if $(STRICT),--strict) --html $(HTML) $(W) $(NW)
@@ -42,11 +42,12 @@ html pdf:
 	[ -n "$$file" ] || { echo "book: no chapter $(PAGE) -- PAGE=60, PAGE=leapfrog or its file, with EXTRA= where it lives elsewhere" >&2; exit 2; }; \
 	BUILD=$(BUILD) TEACHER=$(TEACHER) tangle/preview "$$file" $(BUILD)/page $@
 else ifeq ($(CHOSEN),)
-html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/glossary.html $(HTML)/extending.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js $(HTML)/fingers.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
+html: $(BASES:%=$(HTML)/%.html) $(HTML)/formulas.html $(HTML)/glossary.html $(HTML)/book.css $(HTML)/book.js $(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js $(HTML)/fingers.js $(HTML)/testbed.html $(HTML)/live-testbed.js $(HTML)/gallery.html $(HTML)/fonts/.stamp
 endif
 $(HTML)/%.html: $(W)/%.md $(W)/%.lua $(W)/db.lua tangle/filter.lua tangle/weave-code.lua tangle/contents.lua tangle/page book/page.html book/macros.tex $(W)/bib.lua $(W)/%.assets
 	@tangle/page html $* $(W) $@ $(PAGEMETA)
 	@echo "  html $*"
+$(HTML)/extending.html $(TEXDIR)/ch/extending.tex: EXTENDING.md
 $(W)/bib.lua: $(W)/.stamp ;
 # -- slides: a page for each week of the course
 SLIDES := $(patsubst %,$(HTML)/slides-%.html,1 2 3 4 5 6 7 8 9 10 11 12)

@@ -702,11 +702,14 @@ end
 
 -- What the chapters' lists must have, and that nothing of a set of files is missing.
 function Course.lint(all)
-  local errors, by = {}, {}
+  local errors, by, numbered = {}, {}, {}
   local function bad(e, ...) errors[#errors + 1] = (type(e) == "table" and e.file .. ":" .. e.line or e) .. ": " .. string.format(...) end
   local kinds = { understand = 0, derive = 0, program = 0, explore = 0 }
   for _, e in ipairs(all) do
     if not e.label then bad(e, "an exercise has no label -- write #ex:name") end
+    local same = numbered[e.number]
+    if same then bad(e, "exercise %s is in %s:%d, too -- give one of the two files another number", e.number, same.file, same.line) end
+    numbered[e.number] = e
     for _, k in ipairs { "points", "minutes", "difficulty" } do if not e[k] then bad(e, "the exercise has no %s= -- write {.exercise #ex:name points=2 difficulty=1 minutes=20 kind=derive}", k) end end
     if not kinds[e.kind or ""] then bad(e, "kind=%s -- one of understand, derive, program, explore", tostring(e.kind)) else kinds[e.kind] = kinds[e.kind] + 1 end
     local c = by[e.chapter] or { file = e.file, volume = e.volume, part = e.part, n = 0, starters = 0 }
@@ -717,14 +720,17 @@ function Course.lint(all)
       c.starters = c.starters + 1
       if e.kind ~= "program" then bad(e, "exercise %s has a starter, so it is of the kind program", e.number) end
       local text = read(starter_file(e.base))
-      if not text:find("@ex:" .. e.label, 1, true) then bad(STARTERS .. "/" .. e.base .. ".nw:1", "does not name @ex:%s, which is exercise %s and says starter=%s", e.label, e.number, e.base) end
+      if not text:find("@ex:" .. e.label, 1, true) then bad(e, "the starter %s does not name @ex:%s -- name it there, or give this exercise a starter of its own", starter_file(e.base), e.label) end
       e.name_of = text:match("^# (.-)%s*{#")
       for _, h in ipairs(criteria_of(e.base)) do if not text:find("<<" .. h.hole .. ">>", 1, true) then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s names the chunk <<%s>>, which the starter does not have", h.name, h.hole) end end
       for i, f in ipairs { test_file(e.base, "c"), solution_file(e.base), test_file(e.base, "wrong") } do
-        if (i == 1 or #list(SOLUTIONS, "nw") > 0) and not read(f) then bad(e, "%s is missing", f) end       -- what a class gets has no solutions
+        if (i == 1 or #list(SOLUTIONS, "nw") > 0) and not read(f) then      -- what a class gets has no solutions
+          local ends = ({ "c", "solution", "wrong" })[i]
+          bad(e, "%s of exercise %s are missing -- write %s, or <<exercises/%s.%s>> in this chapter", ({ "the criteria", "the solution's chunks", "the wrong solutions" })[i], e.base, f, e.base, ends)
+        end
       end
       if not extra[e.base .. ".nw"] and #list(SOLUTIONS, "nw") > 0 and #Course.rubric(e.base) == 0 then bad(e, "what a good explanation says is missing -- add lines for %s to %s/rubrics.tsv", e.base, SOLUTIONS) end
-    elseif e.starter then bad(e, "starter=%s, but there is no %s/%s.nw", e.starter, STARTERS, e.starter) end
+    elseif e.starter then bad(e, "starter=%s, but there is no %s/%s.nw -- write it, or <<exercises/%s.nw>> in this chapter", e.starter, STARTERS, e.starter, e.starter) end
   end
   for _, e in ipairs(all) do
     for _, c in ipairs(e.base and criteria_of(e.base) or {}) do if c.points % 1 ~= 0 then bad(TESTS .. "/" .. e.base .. ".c:1", "criterion %s has %g points -- points are whole numbers", c.name, c.points) end end

@@ -620,6 +620,43 @@ local function mark_places(blocks)
   look(blocks)
 end
 
+-- ::: {.extensions} the tables that a chapter may add rows to, as EXTENDING.md tells of them. Print has of each its name, where its first
+-- rows are printed, what a row keeps, what it gets, and the chunk that its functions go into.
+local function extensions()
+  local text = Code.read(root .. "EXTENDING.md")
+  if not text then fail("%s: EXTENDING.md is not there -- type: tangle/extensions", mine.file); return {} end
+  local blocks = pandoc.read(text:match("\n(## .*)"), "markdown+smart-auto_identifiers").blocks
+  if html then
+    for _, b in ipairs(blocks) do if b.t == "Header" then b.level = b.level + 1 end end
+    return blocks
+  end
+  local first = {}                                      -- first[name] = { its first chunk that this volume prints, or its first; place }
+  for id, c in pairs(db.chunks) do
+    local place = (tonumber(id:match("%-(%d+)$")) or 1) + ((c.online or Code.far(db, c.page)) and 1000 or 0)
+    if not first[c.name] or place < first[c.name][2] then first[c.name] = { id, place } end
+  end
+  local r, name, into = pandoc.List { rawb("\\begingroup\\fontsize{9}{10.2}\\selectfont\\wKind=1 \\parindent0pt\\parskip0.5pt plus 1pt") }, nil, nil
+  for _, b in ipairs(blocks) do
+    if b.t == "Header" then name, into = stringify(b), nil
+    elseif b.t == "Para" then b:walk { Code = function(el) into = el.text:match("^<<(.*)>>$") or into end }
+    elseif b.t == "BulletList" and first[name] then
+      local id, place = table.unpack(first[name])
+      local entry = pandoc.List { raw("\\hangindent1em\\wName{" .. Code.name(db, name, "tex") .. "} " .. chunk_link(id) .. (place < 1000 and ", p.~\\pageref{" .. id .. "}" or "") .. ": ") }
+      for i = 1, 3, 2 do
+        local said = b.content[i][1].content
+        said:remove(1); said:remove(1)                    -- "A row keeps: ", "It gets: "
+        if i == 3 then entry:extend { pandoc.Space(), pandoc.Emph "Gets", pandoc.Space() } end
+        entry:extend(said)
+      end
+      if into then entry:insert(raw(" Code: \\wName{" .. Code.name(db, into, "tex") .. "}.")) end
+      r:insert(pandoc.Para(entry))
+      name = nil
+    end
+  end
+  r:insert(rawb("\\par\\endgroup"))
+  return r
+end
+
 local function div(el)
   local a, c = el.attributes, el.classes
   local function code(s) return html and "<code>" .. Code.html(s) .. "</code>" or "\\wInline{" .. Code.tex_code(s):gsub("\\_", "\\_\\wBreak{}") .. "}" end
@@ -730,7 +767,7 @@ local function meta(m)
     elseif e.name == me then m.prev, m.next = nav(e), nav(written[i + 1]) end
   end
   m.toc = pandoc.MetaBlocks { rawb(require "contents"(db, here, (mine.base:gsub("%.%a+$", "")))) }
-  m.pagetitle = pandoc.MetaString(title or mine.slides or ({ glossary = "Glossary", extending = "Where Weft is extended" })[mine.base] or "Formulas and their code")
+  m.pagetitle = pandoc.MetaString(title or mine.slides or mine.base == "glossary" and "Glossary" or "Formulas and their code")
   m.page = pandoc.MetaString(mine.base)
   return m
 end
@@ -863,6 +900,7 @@ end
 
 return {
   { Meta = meta },
+  { Div = function(el) if el.classes:includes "extensions" then return extensions() end end },
   { Pandoc = function(doc)
     if tex then
       doc.blocks = leave_out(doc.blocks)

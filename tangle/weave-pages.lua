@@ -14,11 +14,11 @@ local function fill(template, values)
   end))
 end
 
-local lists = { { "subjects.html", "Subject index" }, { "glossary.html", "Glossary" }, { "formulas.html", "Formulas and their code" }, { "extending.html", "Where Weft is extended" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
+local lists = { { "subjects.html", "Subject index" }, { "glossary.html", "Glossary" }, { "formulas.html", "Formulas and their code" }, { "chunks.html", "List of chunks" }, { "identifiers.html", "Index of identifiers" },
   { "sources.html", "Assembled sources" }, { "bibliography.html", "Bibliography" } }
 local function list_links(db)
   local t = {}
-  for i, l in ipairs(lists) do if i > 2 and l[1] ~= "extending.html" or i == 1 and db.indexed or i == 2 and #db.glossary > 0 or l[1] == "extending.html" and db.extending then t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end end
+  for i, l in ipairs(lists) do if i > 2 or i == 1 and db.indexed or i == 2 and #db.glossary > 0 then t[#t + 1] = '<li><a href="' .. l[1] .. '">' .. l[2] .. "</a></li>" end end
   return "<ul>" .. table.concat(t) .. "</ul>"
 end
 

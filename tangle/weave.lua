@@ -133,7 +133,7 @@ do
   end
 end
 local volume_of = {}                       -- a page's volume; what is not in the plan goes to the first
-local reserved = { index = 1, subjects = 1, glossary = 1, extending = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
+local reserved = { index = 1, subjects = 1, glossary = 1, formulas = 1, chunks = 1, identifiers = 1, sources = 1, bibliography = 1, gallery = 1, testbed = 1 }
 local online = {}                          -- pages and anchors that the print has not
 local taken = {}                           -- a printed number: the file of its chapter
 for _, e in ipairs(entries) do taken[e.num] = "book/plan.tsv" end
@@ -338,7 +338,7 @@ local function check_prose(chapter, line, l)
 end
 
 local boxes = {}
-for b in ("goals note warning history physics aside test exercise solution data files columns only listing web"):gmatch("%a+") do boxes[b] = true end
+for b in ("goals note warning history physics aside test exercise solution data files extensions columns only listing web"):gmatch("%a+") do boxes[b] = true end
 
 local function check_data(chapter, line, l)
   local file = l:match('file="([^"]*)"')
@@ -419,7 +419,7 @@ local function doc_line(chapter, line, l)
     if l:match("^:::+%s*{[^}]*%.data") then check_data(chapter, line, l) end
     local class = l:match("^:::+%s*{%s*%.([%w_%-]+)")
     if class and not boxes[class] then
-      book:complain(chapter.file, line, "no box is called ." .. class, "use one of .goals .note .warning .history .physics .aside .test .exercise .solution .data .files .only .web")
+      book:complain(chapter.file, line, "no box is called ." .. class, "use one of .goals .note .warning .history .physics .aside .test .exercise .solution .data .files .extensions .only .web")
     end
     local solved = l:match("%.solution.-for=[\"']?([%w:_%-]+)")
     if solved then refs_seen[#refs_seen + 1] = { chapter.file, line, solved } end
@@ -1082,13 +1082,6 @@ if not how then
   os.execute("mkdir -p " .. sh(out))
   Code.write_if_changed(out .. "/glossary.md", "# Glossary {.unnumbered}\n\n" .. table.concat(t))
   Code.write_if_changed(out .. "/glossary.lua", 'return {["base"]="glossary",["chunks"]={},["file"]="book/glossary.tsv"}\n')
-  -- a page of the first volume that tangle/extensions makes, and that print has no room for
-  local extending = Code.read(root .. "EXTENDING.md")
-  db.extending = extending ~= nil
-  if extending then
-    Code.write_if_changed(out .. "/extending.md", (extending:gsub("^(# [^\n]*)", "%1 {.unnumbered}")))
-    Code.write_if_changed(out .. "/extending.lua", 'return {["base"]="extending",["chunks"]={},["file"]="EXTENDING.md"}\n')
-  end
 end
 db.glossary = glossary
 

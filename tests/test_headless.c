@@ -31,6 +31,7 @@ static wfSceneReport watched(int row, int *steps)
     static struct { wfSceneReport report; int steps; } kept[1000];
     unsigned long long hash;
     assert_true(row < 1000);
+    if (wfSceneAt(row)->build == NULL) fail_msg("%s: its row of the scene table has no .build", wfSceneAt(row)->name);
     if (kept[row].steps == 0) {
         kept[row].steps = recorded(wfSceneAt(row)->name, steps, &hash) && *steps > STEPS ? *steps : STEPS;
         kept[row].report = wfWatchScene(wfSceneAt(row), kept[row].steps);
@@ -69,7 +70,7 @@ TEST(every_scene_is_well_described)
         char hyphens[64];
         snprintf(hyphens, sizeof hyphens, "%s", s->name);
         for (char *c = hyphens; *c; c++) if (*c == ' ') *c = '-';
-        if (wfFindScene(s->name) != i) fail_msg("two scenes are called %s", s->name);
+        if (wfFindScene(s->name) != i) fail_msg("two scenes are called %s, of the chapters %s and %s: give one of them another .name", s->name, wfSceneAt(wfFindScene(s->name))->chapter, s->chapter);
         assert_int_equal(wfFindScene(hyphens), i);
     }
     assert_int_equal(wfFindScene(""), -1);
@@ -273,8 +274,11 @@ TEST(every_scene_and_overlay_can_be_drawn)
         wfDestroyWorld(&world);
     }
     for (int i = 0; i < wfOverlayCount; i++)
-        for (int j = 0; j < i; j++)
-            assert_true(wfOverlayTable[i].bit != wfOverlayTable[j].bit && (!wfOverlayTable[i].key || wfOverlayTable[i].key != wfOverlayTable[j].key));
+        for (int j = 0; j < i; j++) {
+            const wfOverlay *a = &wfOverlayTable[j], *b = &wfOverlayTable[i];
+            if (a->bit == b->bit) fail_msg("the overlays %s and %s have the same bit: give one of their rows another", a->name, b->name);
+            if (b->key && a->key == b->key) fail_msg("the overlays %s and %s have the same key: give one of their rows another, or 0", a->name, b->name);
+        }
 }
 
 static bool near_to(const float xy[2], wfVec2 p)    /* bodies of one shape: its centre is the body's, but for rounding */

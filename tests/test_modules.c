@@ -28,6 +28,8 @@ TEST(the_table_is_in_order)
     uint32_t before = 0;
     for (int i = 0; i < wfModuleCount; i++) {
         const wfModule *row = &wfModuleTable[i];
+        for (int j = 0; j < i; j++)
+            if (wfModuleTable[j].bit == row->bit) fail_msg("the modules %s and %s have the same bit: give one WF_MODULE another", wfModuleTable[j].name, row->name);
         assert_true(row->bit != 0 && (row->bit & (row->bit - 1)) == 0 && (before & row->bit) == 0);
         assert_int_equal(row->implies & ~before, 0);           /* so one walk from the end closes a set */
         assert_int_equal(wfFindModule(row->name), i);

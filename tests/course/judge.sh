@@ -120,7 +120,7 @@ CRITERIA("bait", ROW(honest), ROW(reads), ROW(leaves), ROW(exits), ROW(shouts), 
 C
 cc -std=gnu11 -O1 -w -no-pie "-DMADE=\"$out/made\"" -Ibuild/lines/include -Ibuild/lines -Itests/course "$out/bait.c" build/lib/libweft.a -lm -o "$out/bait" || fail "the bait does not compile"
 exec 7> "$out/leak"
-bait() { COURSE_SANDBOX=1 COURSE_SECONDS=1 timeout 30 "$out/bait" "" "$1" > "$out/$1" 2> "$out/$1.err" < /dev/null; }
+bait() { COURSE_SANDBOX=1 COURSE_SECONDS=1 timeout -s KILL 30 "$out/bait" "" "$1" > "$out/$1" 2> "$out/$1.err" < /dev/null; }
 want() { case $1 in honest|reads) echo 'pass.1$' ;; answers) echo 'pass.100$' ;; inputs|question|fills|lists) echo 'fail.' ;; forges) echo 'call.' ;; adds) echo 'pass.0$' ;; shouts) echo 'fail.yes' ;; leaks|kills|stops|forks|opens|looks|calls|changes|sleeps|waits) echo 'call.' ;; deaf) echo 'crash.' ;; spins) echo 'time.' ;; hogs) echo '[ct]' ;; crashes|scribbles) echo 'crash.' ;;
   sings) echo '' ;; *) echo 'crash.0' ;; esac; }
 names=$(grep -oE 'ROW\([a-z]+\)' "$out/bait.c" | tr -d 'ROW()' | grep -v '^f$')

@@ -101,6 +101,22 @@ end
 if count < 100 then bad("only %d references to other volumes were found", count) end
 print(count .. " references to other volumes")
 
+------------------------------------------------------------------- the tables that a chapter may add rows to: print has each, with its place
+do
+  local first, n = db.volumes[1].name, 0
+  local text = run("pdftotext -raw '" .. build .. "/book/" .. first .. ".pdf' - 2>/dev/null"):gsub("\u{ad}", ""):gsub("%s+", " "):match("A chapter may add rows to any of these tables(.*)") or ""
+  for l in io.lines("book/extensions.tsv") do
+    local name = l:match("^([^#\t][^\t]*)\t")
+    if name then
+      n = n + 1
+      local place = text:match("\u{27e8}" .. name:gsub("%p", "%%%0") .. "\u{27e9} (%u?%d+%.%d+[^:]*):")
+      if not place then bad("%s.pdf does not list the table '%s' among those that a chapter may add rows to -- tangle/extensions", first, name)
+      elseif place:find("?", 1, true) then bad("%s.pdf: the table '%s' is on page ??", first, name) end
+    end
+  end
+  print(n .. " tables that a chapter may add rows to")
+end
+
 ------------------------------------------------------------------------------------------- the glossary: its words are used
 do
   local text = run("pdftotext '" .. build .. "/book/" .. db.volumes[1].name .. ".pdf' - 2>/dev/null"):gsub("\u{ad}", ""):gsub("-\n", "-"):gsub("%s+", " ")
