@@ -35,8 +35,8 @@ local function ref(id)
     called[volume] = true
     return raw((l.online and text or "\\wFar{" .. volume .. "}{" .. id .. "}{" .. text .. "}") .. (first and " of \\emph{" .. Code.tex(volume_called(volume)) .. "}" or ""))
   end
-  -- the first volume is read on paper: the first mention of a section of another chapter tells its page
-  local told = l.online or l.kind ~= "sec" or l.page == here or db.mine ~= db.volumes[1].name or mine.base ~= "glossary" and paged[id]
+  -- the first volume is read on paper: the first mention of a section of another chapter tells its page (a chapter's is soon found)
+  local told = l.online or not (mine.base == "glossary" or text:match("^Section")) or l.page == here or db.mine ~= db.volumes[1].name or mine.base ~= "glossary" and paged[id]
   paged[id] = true
   return raw(l.online and text or "\\hyperlink{" .. id .. "}{" .. text .. "}" .. (told and "" or "\\wOn{" .. id .. "}"))
 end
@@ -670,7 +670,7 @@ local function div(el)
     end
     return box("goals", "Goals", told, el.content)
   elseif c:includes("test") then
-    if tex and #el.content == 0 then return {} end
+    if tex and stringify(el.content):match("^%s*$") then return {} end
     return box("test", "Test", a.file and code(a.file) or nil, el.content)
   elseif c:includes("data") then return data_table(el)
   elseif c:includes("listing") then return listing(el)
@@ -825,7 +825,7 @@ end
 local function web_line(text, blocks, num, id)
   local n, first = count_code(blocks)
   text = text or first and "\\wName{" .. Code.name(db, first.name, "tex") .. "}" or "More of this"
-  return rawb("\\wOnline{" .. (id and "\\wLabel{" .. id .. "}" or "") .. text .. "}{" .. (n > 0 and n .. (n == 1 and " line" or " lines") .. " of code, " or "") .. "}{" .. Code.tex(here) ..
+  return rawb("\\wOnline{" .. (id and "\\wLabel{" .. id .. "}\\label{on:" .. id .. "}" or "") .. text .. "}{" .. (n > 0 and n .. (n == 1 and " line" or " lines") .. " of code, " or "") .. "}{" .. Code.tex(here) ..
     (num and ", " .. num or first and ", chunk " .. first.num or "") .. "}")
 end
 local function leave_out(blocks)

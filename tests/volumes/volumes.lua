@@ -106,17 +106,23 @@ do
   for p, id in run("pdfinfo -dests '" .. build .. "/book/" .. first .. ".pdf' 2>/dev/null"):gmatch('(%d+) %[[^%]\n]*%] "(sec:[^"\n]+)"') do page[id] = tonumber(p) end
   for _, h in ipairs(db.heads) do before = before or h.level == 1 and page[h.id] end      -- its pages before the first chapter have numbers of their own
   local text = run("pdftotext '" .. build .. "/book/" .. first .. ".pdf' - 2>/dev/null"):gsub("%s+", " ")
-  for _, e in ipairs(db.entries) do
-    local seen, source = {}, db.volume_of[e.page or ""] == first and not e.of and read(build .. "/tex/ch/" .. e.name .. ".tex") or ""
+  local all = { { name = "glossary", page = "glossary.html" } }
+  for _, e in ipairs(db.entries) do all[#all + 1] = e end
+  for _, e in ipairs(all) do
+    local seen, source = {}, (e.name == "glossary" or db.volume_of[e.page or ""] == first and not e.of) and read(build .. "/tex/ch/" .. e.name .. ".tex") or ""
     for id, words, on in source:gmatch("\\hyperlink{(sec:[^}]*)}{([^}]*)}(%S*)") do
       local told = on:match("^\\wOn{([^}]*)}")
-      local elsewhere = db.labels[id] and db.labels[id].page ~= e.page and not seen[id]
+      local elsewhere = e.name == "glossary" or words:match("^Section") and db.labels[id] and db.labels[id].page ~= e.page and not seen[id]
       seen[id] = true
       if elsewhere and told ~= id then bad("%s: %s is in another chapter, and its first mention does not tell the page", e.name, words) end
       if told then
-        local said = words:gsub("~", " ") .. " on page " .. (page[id] and page[id] - before + 1 or "?")
+        local name, number, here, at = words:gsub("~", " "), tostring(page[id] and page[id] - before + 1 or "?"), false, 0
         n = n + 1
-        if not text:find(said, 1, true) then bad("%s.pdf has nowhere '%s', which %s says", first, said, e.name) end
+        repeat                                         -- a page's end may stand between the two
+          at = text:find(name, at + 1, true)
+          here = here or at and text:sub(at + #name, at + #name + 160):match("^%W?.-%f[%w]page " .. number .. "%f[%D]") ~= nil
+        until here or not at
+        if not here then bad("%s.pdf has nowhere '%s on page %s', which %s says", first, name, number, e.name) end
       end
     end
   end
