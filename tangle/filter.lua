@@ -16,7 +16,7 @@ local function fail(...) errors[#errors + 1] = string.format(...) end
 local function href(page, id) return Code.href(db, page, here, id) end
 
 ------------------------------------------------------------------------------------------------------ cross references
-local called = {}                                     -- volumes that this chapter has named
+local called, paged = {}, {}                          -- volumes that this chapter has named, sections whose page it has told
 local function volume_called(name) for _, v in ipairs(db.volumes) do if v.name == name then return v.short end end end
 local function ref(id)
   local l = db.labels[id] or db.labels[id:sub(1, 1):lower() .. id:sub(2)]
@@ -35,7 +35,10 @@ local function ref(id)
     called[volume] = true
     return raw((l.online and text or "\\wFar{" .. volume .. "}{" .. id .. "}{" .. text .. "}") .. (first and " of \\emph{" .. Code.tex(volume_called(volume)) .. "}" or ""))
   end
-  return raw(l.online and text or "\\hyperlink{" .. id .. "}{" .. text .. "}")
+  -- the first volume is read on paper: the first mention of a section of another chapter tells its page (a chapter's is soon found)
+  local told = l.online or not (mine.base == "glossary" or text:match("^Section")) or l.page == here or db.mine ~= db.volumes[1].name or mine.base ~= "glossary" and paged[id]
+  paged[id] = true
+  return raw(l.online and text or "\\hyperlink{" .. id .. "}{" .. text .. "}" .. (told and "" or "\\wOn{" .. id .. "}"))
 end
 
 local function source(id)
@@ -182,9 +185,16 @@ local function chunk(k)
     return rawb('<figure class="chunk" id="' .. c.id .. '">' .. head .. "\n" .. body .. "\n" .. foot .. "</figure>")
   end
   local rows, last = {}, c.printed or #c.lines
+  local function words(i)
+    local t = {}
+    for k, token in ipairs(c.lines[i] or {}) do t[k] = token[2] end
+    return table.concat(t)
+  end
   for i = 1, last do
-    local glue = (i == 1 or i == 2 and last > 3 or i >= last - 1) and "N" or ""     -- no lone line at a page's foot or head
-    if i == last and #feet == 0 and not c.printed then glue = "" end
+    -- no lone line at a page's foot or head; a function's name stays with its first line, its comment with its name, and no brace is alone
+    local line, next_line = words(i), words(i + 1)
+    local glue = (i == 1 or i == 2 and last > 3 or i >= last - 1 or line == "{" or next_line:match("^%s*[{}][;%s]*$") or line:match("^/%*.*%*/$") or
+      select(2, line:gsub("%(", "")) > select(2, line:gsub("%)", ""))) and "N" or ""
     rows[i] = "\\wL" .. glue .. "{" .. Code.line_tex(db, c.lines[i]) .. "}"
   end
   if c.printed then rows[#rows + 1] = "\\wMore{" .. #c.lines - last .. "}{" .. Code.tex(here) .. "}" end
@@ -391,7 +401,7 @@ local function data_table(el)
       local line = {}
       for j, col in ipairs(columns) do
         local cell = row[col[1]] or ""
-        if cell ~= "" and not tonumber(cell) then numeric[j] = false end
+        if cell ~= "" and cell ~= "-" and cell ~= "\u{2013}" and not tonumber(cell) then numeric[j] = false end
         line[j] = cell
       end
       cells[#cells + 1] = line
@@ -416,7 +426,11 @@ local function data_table(el)
   local caption = pandoc.Plain(pandoc.List(pandoc.walk_block(pandoc.Plain(parse_inlines((a.caption or "") .. (older_than_golden(a.file) and " Measured before the last change of arithmetic or scenes." or ""))), { Cite = cite, Code = inline_code }).content))
   if html then
     local t = { '<div class="tbl"' .. (id ~= "" and ' id="' .. id .. '"' or "") .. '><table class="data"><thead><tr>' }
-    for j, col in ipairs(columns) do t[#t + 1] = "<th" .. (numeric[j] and ' class="n"' or "") .. ">" .. Code.html(col[2]) .. "</th>" end
+    for j, col in ipairs(columns) do
+      local most = 0                                   -- sentences need more than a word's width
+      for _, line in ipairs(cells) do most = math.max(most, utf8.len(line[j]) or #line[j]) end
+      t[#t + 1] = "<th" .. (numeric[j] and ' class="n"' or most > 24 and string.format(' style="min-width:%.1fem"', math.min(13, 1.1 * math.sqrt(most))) or "") .. ">" .. Code.html(col[2]) .. "</th>"
+    end
     t[#t + 1] = "</tr></thead><tbody>"
     for _, line in ipairs(cells) do
       t[#t + 1] = "<tr>"
@@ -435,20 +449,21 @@ local function data_table(el)
       most[j], word[j] = 0, 0
       for i = 0, #cells do
         local cell = i == 0 and col[2] or cells[i][j]
-        most[j] = math.max(most[j], utf8.len(cell) or #cell)
+        if i > 0 then most[j] = math.max(most[j], utf8.len(cell) or #cell) end
         for w in cell:gmatch("[^%s]+") do word[j] = math.max(word[j], utf8.len(w) or #w) end
       end
-      all = all + most[j] + 1
+      all = all + math.max(most[j], utf8.len(col[2]) or #col[2]) + 1
+      most[j] = math.max(most[j], word[j])             -- a heading may be broken
     end
     local broken, broad, lines = all > 112, {}, 4
     if broken then
       local room, share = 104 - 1.4 * #columns, 0                      -- in letters of 8 pt
       for j = 1, #columns do if most[j] <= 14 then room = room - most[j] else share = share + math.sqrt(most[j]) * math.sqrt(most[j]) ^ 0.5 end end
-      for j = 1, #columns do
-        if most[j] > 14 then
-          local w = math.max(word[j], math.min(most[j], room * math.sqrt(most[j]) ^ 1.5 / share))
+      for j, col in ipairs(columns) do
+        local w = most[j] > 14 and math.max(word[j], math.min(most[j], room * math.sqrt(most[j]) ^ 1.5 / share)) or most[j] < #col[2] and 1.12 * most[j]
+        if w then
           broad[j] = w
-          spec[j] = string.format(">{\\raggedright\\arraybackslash}p{%.1fpt}", w * 3.95)
+          spec[j] = string.format(">{\\ragged%s\\arraybackslash}p{%.1fpt}", numeric[j] and "left" or "right", w * 3.95)
         end
       end
     end
@@ -483,13 +498,15 @@ local function data_table(el)
   return r
 end
 
--- columns whose dashes are all alike say nothing of widths: each gets what its words need
+-- columns whose dashes are all alike say nothing of widths: each gets what its words need; in print none is narrower than its longest word
 local function fit_columns(el)
-  local most, word, all, share = {}, {}, 0, 0
+  local most, word, all, share, alike = {}, {}, 0, 0, true
   for j, spec in ipairs(el.colspecs) do
-    if not spec[2] or math.abs(spec[2] - el.colspecs[1][2]) > 1e-3 then return end
+    if not spec[2] then return end
+    alike = alike and math.abs(spec[2] - el.colspecs[1][2]) <= 1e-3
     most[j], word[j] = 4, 4
   end
+  if html and not alike then return end
   local function measure(rows)
     for _, row in ipairs(rows) do
       for j, cell in ipairs(row.cells) do
@@ -502,6 +519,19 @@ local function fit_columns(el)
   measure(el.head.rows)
   for _, body in ipairs(el.bodies) do measure(body.body) end
   local room = 84                                      -- letters in a line
+  if not alike then
+    local lack, spare = 0, 0
+    for j, spec in ipairs(el.colspecs) do
+      most[j] = spec[2] * room
+      lack, spare = lack + math.max(0, word[j] - most[j]), spare + math.max(0, most[j] - word[j])
+    end
+    if lack == 0 or lack > spare then return end
+    for j, spec in ipairs(el.colspecs) do
+      spec[2] = (most[j] < word[j] and word[j] or most[j] - (most[j] - word[j]) * lack / spare) / room
+      el.colspecs[j] = spec
+    end
+    return
+  end
   for j = 1, #most do room, share = room - word[j], share + most[j] ^ 0.75 end
   for j = 1, #most do
     most[j] = word[j] + math.max(room, 0) * most[j] ^ 0.75 / share
@@ -682,6 +712,7 @@ local function div(el)
     end
     return box("goals", "Goals", told, el.content)
   elseif c:includes("test") then
+    if tex and stringify(el.content):match("^%s*$") then return {} end
     return box("test", "Test", a.file and code(a.file) or nil, el.content)
   elseif c:includes("data") then return data_table(el)
   elseif c:includes("listing") then return listing(el)
@@ -716,6 +747,9 @@ function code_block(el)
     rows[#rows + 1] = html and Code.line_html(db, line, here) or
       "\\wL" .. ((n <= 2 or n == last - 1 or n == last - 2) and n < last and "N" or "") .. "{" .. Code.line_tex(db, line) .. "}"
   end
+  for l in (el.text .. "\n"):gmatch("([^\n]*)\n") do
+    if (utf8.len(l) or #l) > 92 then fail("%s: a line of a block has %d columns; the book's page holds 92: %s -- break it", mine.file, utf8.len(l) or #l, l) end
+  end
   if html then return rawb('<pre class="block"><code>' .. table.concat(rows, "\n") .. "</code></pre>") end
   return rawb("\\wBlock\n" .. table.concat(rows, "\n") .. "\n\\wEndBlock")
 end
@@ -736,7 +770,7 @@ local function header(el)
     return el
   end
   local command = ({ "chapter", "section", "subsection", "subsubsection" })[el.level] or "paragraph"
-  el.content:insert(1, raw("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{\\wLabel{" .. el.identifier .. "}" .. Code.tex_terms(el.attributes.index or "")))
+  el.content:insert(1, raw("\\" .. command .. "[" .. Code.tex(l.title or "") .. "]{\\wLabel{" .. el.identifier .. "}\\label{on:" .. el.identifier .. "}" .. Code.tex_terms(el.attributes.index or "")))
   el.content:insert(raw("}"))
   return pandoc.Plain(el.content)
 end
@@ -833,7 +867,7 @@ end
 local function web_line(text, blocks, num, id)
   local n, first = count_code(blocks)
   text = text or first and "\\wName{" .. Code.name(db, first.name, "tex") .. "}" or "More of this"
-  return rawb("\\wOnline{" .. (id and "\\wLabel{" .. id .. "}" or "") .. text .. "}{" .. (n > 0 and n .. (n == 1 and " line" or " lines") .. " of code, " or "") .. "}{" .. Code.tex(here) ..
+  return rawb("\\wOnline{" .. (id and "\\wLabel{" .. id .. "}\\label{on:" .. id .. "}" or "") .. text .. "}{" .. (n > 0 and n .. (n == 1 and " line" or " lines") .. " of code, " or "") .. "}{" .. Code.tex(here) ..
     (num and ", " .. num or first and ", chunk " .. first.num or "") .. "}")
 end
 local function leave_out(blocks)
@@ -898,6 +932,31 @@ local function keep_headings(blocks)
   end
 end
 
+-- A sentence that goes on behind a formula begins no paragraph; a figure that is all of its section stays in it.
+local function tidy(blocks)
+  local function ends_in_formula(b)
+    local l = b and b.t == "Para" and b.content[#b.content]
+    return l and l.t == "RawInline" and (l.text:match("\\end{equation}$") or l.text:match("\\%]$"))
+  end
+  for i, b in ipairs(blocks) do
+    if b.t == "Para" and ends_in_formula(blocks[i - 1]) then
+      local k = 1
+      while b.content[k] and b.content[k].t == "RawInline" and b.content[k].text:match("^\\wPlace") do k = k + 1 end
+      if b.content[k] and b.content[k].t == "Str" and b.content[k].text:match("^%l") then b.content:insert(1, raw("\\noindent ")) end
+    end
+  end
+  return blocks
+end
+local function keep_figures(blocks)
+  for i = #blocks - 1, 2, -1 do
+    local b = blocks[i]
+    if b.t == "Para" and #b.content == 1 and b.content[1].t == "Image" and blocks[i - 1].t == "Header" and blocks[i + 1].t == "Header" then
+      blocks:insert(i + 1, rawb("\\wBoxedfalse"))
+      blocks:insert(i, rawb("\\wBoxedtrue"))
+    end
+  end
+end
+
 return {
   { Meta = meta },
   { Div = function(el) if el.classes:includes "extensions" then return extensions() end end },
@@ -905,6 +964,7 @@ return {
     if tex then
       doc.blocks = leave_out(doc.blocks)
       mark_places(doc.blocks)
+      keep_figures(doc.blocks)
       keep_headings(doc.blocks)
     end
     return doc
@@ -922,5 +982,6 @@ return {
     end,
     Span = span, Para = figure, Div = div, Table = table_block },
   { Inlines = inlines, Header = header },
+  { Blocks = tex and tidy or nil },
   { Pandoc = finish },
 }

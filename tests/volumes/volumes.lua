@@ -1,7 +1,8 @@
 -- volumes.lua: what the printed volumes promise, read from what was made.
 --   lua volumes.lua BUILD BOUNDS [--record]
 -- Pages of each volume (BOUNDS: "name pages" a line, numbers that only fall) and of each week of the course; sizes of letters in tables and code;
--- references to other volumes: they lead to a place that is there, have that volume's letter, and the first of a chapter names the volume.
+-- references to other volumes: they lead to a place that is there, have that volume's letter, and the first of a chapter names the volume;
+-- references that tell a page.
 local build, bounds, record = arg[1], arg[2], arg[3] == "--record"
 local function read(path) local f = io.open(path, "rb") if not f then return nil end local s = f:read("a") f:close() return s end
 local function run(command) local p = io.popen(command) local s = p:read("a") p:close() return s end
@@ -97,6 +98,36 @@ for _, e in ipairs(db.entries) do
     end
     named[volume] = true
   end
+end
+-- In the first volume the first mention of a section of another chapter tells its page: each that is asked for is printed, with the page where it is.
+do
+  local first = db.volumes[1].name
+  local page, before, n = {}, nil, 0
+  for p, id in run("pdfinfo -dests '" .. build .. "/book/" .. first .. ".pdf' 2>/dev/null"):gmatch('(%d+) %[[^%]\n]*%] "(sec:[^"\n]+)"') do page[id] = tonumber(p) end
+  for _, h in ipairs(db.heads) do before = before or h.level == 1 and page[h.id] end      -- its pages before the first chapter have numbers of their own
+  local text = run("pdftotext '" .. build .. "/book/" .. first .. ".pdf' - 2>/dev/null"):gsub("%s+", " ")
+  local all = { { name = "glossary", page = "glossary.html" } }
+  for _, e in ipairs(db.entries) do all[#all + 1] = e end
+  for _, e in ipairs(all) do
+    local seen, source = {}, (e.name == "glossary" or db.volume_of[e.page or ""] == first and not e.of) and read(build .. "/tex/ch/" .. e.name .. ".tex") or ""
+    for id, words, on in source:gmatch("\\hyperlink{(sec:[^}]*)}{([^}]*)}(%S*)") do
+      local told = on:match("^\\wOn{([^}]*)}")
+      local elsewhere = e.name == "glossary" or words:match("^Section") and db.labels[id] and db.labels[id].page ~= e.page and not seen[id]
+      seen[id] = true
+      if elsewhere and told ~= id then bad("%s: %s is in another chapter, and its first mention does not tell the page", e.name, words) end
+      if told then
+        local name, number, here, at = words:gsub("~", " "), tostring(page[id] and page[id] - before + 1 or "?"), false, 0
+        n = n + 1
+        repeat                                         -- a page's end may stand between the two
+          at = text:find(name, at + 1, true)
+          here = here or at and text:sub(at + #name, at + #name + 160):match("^%W?.-%f[%w]page " .. number .. "%f[%D]") ~= nil
+        until here or not at
+        if not here then bad("%s.pdf has nowhere '%s on page %s', which %s says", first, name, number, e.name) end
+      end
+    end
+  end
+  if n < 50 then bad("only %d references tell their page", n) end
+  print(n .. " references tell their page")
 end
 if count < 100 then bad("only %d references to other volumes were found", count) end
 print(count .. " references to other volumes")
