@@ -799,36 +799,30 @@ TEST(wide_pictures_are_drawn_in_strips)
 }
 
 /* Random drawing, most of it outside: the sanitizer and the guards watch. */
-static wfDraw random_list(wfRandom *r, wfReal far)
-{
-    wfDraw d = new_list();
-    for (int i = 0; i < 12; i++) {
-        float p[12];
-        for (int k = 0; k < 12; k++) p[k] = (float)wfRandomReal(r, -far, far);
-        float wide = (float)wfRandomReal(r, 0, 12), radius = (float)wfRandomReal(r, 0, far);
-        int role = (int)(wfRandomU32(r) % WF_INK_COUNT);
-        switch (wfRandomU32(r) % 8) {
-        case 0: wfDrawPoint(&d, p[0], p[1], wide, role); break;
-        case 1: wfDrawLine(&d, p[0], p[1], p[2], p[3], wide, role); break;
-        case 2: wfDrawArrow(&d, p[0], p[1], p[2], p[3], wide, role); break;
-        case 3: wfDrawDashed(&d, p[0], p[1], p[2], p[3], wide, role); break;
-        case 4: wfDrawCircle(&d, p[0], p[1], radius, wide, role, role); break;
-        case 5: wfDrawPolygon(&d, p, 6, wide, role, role); break;
-        case 6: wfDrawPolyline(&d, p, 6, wide, role); break;
-        default: wfDrawText(&d, p[0], p[1], wide * 3, role, 0, "Weft \xe2\x8a\xa5"); break;
-        }
-    }
-    assert_int_equal(d.refused + d.overflow, 0);
-    return d;
-}
-
 TEST(nothing_is_drawn_outside)
 {
     wfRandom r = random_stream(2805);
     for (int trial = 0; trial < 150; trial++) {
-        wfReal far = trial % 3 == 0 ? (wfReal)1e9 : trial % 3 == 1 ? 1000 : 100;
+        wfDraw d = new_list();
         frame_buffer f = new_frame();
-        wfDraw d = random_list(&r, far);
+        wfReal far = trial % 3 == 0 ? (wfReal)1e9 : trial % 3 == 1 ? 1000 : 100;
+        for (int i = 0; i < 12; i++) {
+            float p[12];
+            for (int k = 0; k < 12; k++) p[k] = (float)wfRandomReal(&r, -far, far);
+            float wide = (float)wfRandomReal(&r, 0, 12), radius = (float)wfRandomReal(&r, 0, far);
+            int role = (int)(wfRandomU32(&r) % WF_INK_COUNT);
+            switch (wfRandomU32(&r) % 8) {
+            case 0: wfDrawPoint(&d, p[0], p[1], wide, role); break;
+            case 1: wfDrawLine(&d, p[0], p[1], p[2], p[3], wide, role); break;
+            case 2: wfDrawArrow(&d, p[0], p[1], p[2], p[3], wide, role); break;
+            case 3: wfDrawDashed(&d, p[0], p[1], p[2], p[3], wide, role); break;
+            case 4: wfDrawCircle(&d, p[0], p[1], radius, wide, role, role); break;
+            case 5: wfDrawPolygon(&d, p, 6, wide, role, role); break;
+            case 6: wfDrawPolyline(&d, p, 6, wide, role); break;
+            default: wfDrawText(&d, p[0], p[1], wide * 3, role, 0, "Weft \xe2\x8a\xa5"); break;
+            }
+        }
+        assert_int_equal(d.refused + d.overflow, 0);
         if (trial % 5 == 0) wfDrawView(&d, -WF_DRAW_LIMIT, -WF_DRAW_LIMIT, WF_DRAW_LIMIT, WF_DRAW_LIMIT);
         if (trial % 5 == 1) wfDrawView(&d, 0, 0, WF_DRAW_SMALLEST, WF_DRAW_SMALLEST);
         wfRenderList(&d, &wfBakedFont, &wfDarkPalette, &f);
@@ -838,34 +832,6 @@ TEST(nothing_is_drawn_outside)
         FILE *out = tmpfile();
         assert_int_equal(wfWriteSvg(&d, 300, out), 0);
         fclose(out);
-    }
-}
-
-/* A user's function that does the parts from the last to the first. */
-static void last_first(void *user, int32_t parts, wfPartFn *work, void *context)
-{
-    *(int32_t *)user += parts;
-    while (parts-- > 0) work(context, parts);
-}
-
-TEST(hands_that_share_a_picture_draw_the_same)
-{
-    enum { HIGH = 300 };
-    static uint32_t alone[W * HIGH], shared[W * HIGH];
-    wfRandom r = random_stream(2806);
-    for (int trial = 0; trial < 100; trial++) {
-        wfDraw d = random_list(&r, 300);
-        int32_t parts = 0;
-        frame_buffer f = { alone, W, HIGH, W, 1 }, g = { shared, W, HIGH, W, 1 };
-        wfClearFrame(&f, PAPER);
-        wfClearFrame(&g, PAPER);
-        wfDrawView(&d, -100, -300, 100, 300);
-        wfRenderList(&d, &wfBakedFont, &wfLightPalette, &f);
-        wfShareDrawing((wfWorkers){ last_first, &parts });
-        wfRenderList(&d, &wfBakedFont, &wfLightPalette, &g);
-        wfShareDrawing((wfWorkers){ NULL, NULL });
-        assert_true(parts >= 4);
-        assert_memory_equal(alone, shared, sizeof alone);
     }
 }
 

@@ -165,14 +165,15 @@ static wfRect box_of_way(const struct wfStep *s, int32_t k, wfReal slack)
                             + slack);
 }
 
-/* Pairs of a sensor and of what flew through it, up to `most`; how many there are. */
+/* Pairs of a sensor and of what flew through it, up to `most`; how many there are, or -1:
+ * no memory. */
 int32_t wfFindFlown(struct wfStep *s, wfPair *out, int32_t most)
 {
     const wfHeader *head = s->b.head;
     Flown f = { .s = s, .out = out, .most = most };
     f.swift = wfPoolPushArray(&s->scratch, s->shapeCount, int32_t);
     f.is = wfPoolPushArray(&s->scratch, s->shapeCount, uint8_t);
-    if (f.swift == NULL || f.is == NULL) return 0;
+    if (f.swift == NULL || f.is == NULL) return -1;
     wfReal slack = find_swift(&f);
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
     for (int32_t n = 0; n < f.count; n++) {

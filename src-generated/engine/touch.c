@@ -180,15 +180,19 @@ wfResult wfTellImpactEvents(struct wfStep *s)
     int32_t room = s->b.head->contactCapacity - s->kept.touches - s->touchCount;
     bool looks = s->b.head->sensorCount > 0 && s->b.head->maxImpacts > 0 && s->movers > 0;
     size_t mark = wfPoolMark(&s->scratch);
-    wfPair *flown = looks ? wfPoolPushArray(&s->scratch, room, wfPair) : NULL;
-    int32_t flew = flown != NULL ? wfFindFlown(s, flown, room) : 0;
+    wfPair *flown = wfPoolPushArray(&s->scratch, room + 1, wfPair);
+    int32_t flew = !looks ? 0 : flown != NULL ? wfFindFlown(s, flown, room) : -1;
+    if (flew < 0) return WF_ERROR_MEMORY;
     s->followed = s->followed || flew > 0;
     for (int32_t i = 0; i < flew && i < room; i++) {
         uint32_t side = wfIsSensor(&s->b, flown[i].a) ? WF_TOUCH_SENSOR_A : WF_TOUCH_SENSOR_B;
         wfTouchingPair t = stamp_touch(s, flown[i], side | TOUCH_AGAIN);
         int32_t at = s->touchCount++;
-        for (; at > 0 && before(t.a, t.b, (wfPair){ s->touches[at - 1].a, s->touches[at - 1].b });
-             at--) s->touches[at] = s->touches[at - 1];
+        for (; at > 0; at--) {
+            const wfTouchingPair *last = &s->touches[at - 1];
+            if (!before(t.a, t.b, (wfPair){ last->a, last->b })) break;
+            s->touches[at] = *last;
+        }
         s->touches[at] = t;
     }
     wfPoolRewind(&s->scratch, mark);

@@ -1,7 +1,6 @@
 /* Weft: testbed/raster.c, tangled from chapters/testbed/03-drawing-pixels.nw. Do not edit this
  * file: edit the chapter and type make. MIT licence. */
 #include <string.h>
-#include "core/parts.h"
 #include "weft/math.h"
 #include "testbed/raster.h"
 
@@ -328,13 +327,6 @@ void wfBlendLetter(uint8_t pixel[4], wfInk ink, float share)
     pixel[3] = 255;
 }
 
-/* A picture, of which only the rows top to bottom - 1 are drawn. */
-typedef struct sheet {
-    uint32_t *pixels;
-    int32_t width, height, pitch, top, bottom;
-    wfPixelMap map;
-} sheet;
-
 static uint32_t word_of(wfInk ink)                      /* the pixel, opaque */
 {
     const uint8_t bytes[4] = { ink.r, ink.g, ink.b, 255 };
@@ -343,7 +335,7 @@ static uint32_t word_of(wfInk ink)                      /* the pixel, opaque */
     return word;
 }
 
-static void blend_row(const sheet *target, const wfCoverRow *row, wfInk ink)
+static void blend_row(frame_buffer *target, const wfCoverRow *row, wfInk ink)
 {
     uint32_t *pixel = target->pixels + (size_t)row->y * (size_t)target->pitch
                     + (size_t)row->x0, full = word_of(ink);
@@ -394,7 +386,7 @@ static void cover(wfCoverRow *row, const stencil *s, const side *ready, int side
 }
 
 /* The pixels that a stencil may touch, cut to the picture: x0, y0, x1, y1. */
-static void stencil_box(const stencil *s, const sheet *target, int32_t box[4])
+static void stencil_box(const stencil *s, const frame_buffer *target, int32_t box[4])
 {
     float low[2] = { 1e30f, 1e30f }, high[2] = { -1e30f, -1e30f };
     for (int i = 0; i < s->count; i++) {
@@ -406,14 +398,13 @@ static void stencil_box(const stencil *s, const sheet *target, int32_t box[4])
     }
     float reach = s->radius + s->half + 1;
     for (int k = 0; k < 2; k++) {
-        int32_t first = k == 0 ? 0 : target->top;
-        int32_t end = k == 0 ? target->width : target->bottom;
-        box[k] = floor_within(low[k] - reach, first, end);
-        box[k + 2] = floor_within(high[k] + reach + 1, first, end);
+        int32_t size = k == 0 ? target->width : target->height;
+        box[k] = floor_within(low[k] - reach, 0, size);
+        box[k + 2] = floor_within(high[k] + reach + 1, 0, size);
     }
 }
 
-static void paint(const sheet *target, const stencil *s, wfInk ink)
+static void paint(frame_buffer *target, const stencil *s, wfInk ink)
 {
     wfCoverRow row;
     side ready[MOST_SIDES];
@@ -433,7 +424,7 @@ static void paint(const sheet *target, const stencil *s, wfInk ink)
     }
 }
 
-static void paint_arrow(const sheet *target, const stencil *shaft, wfInk ink)
+static void paint_arrow(frame_buffer *target, const stencil *shaft, wfInk ink)
 {
     const float *xy = shaft->xy;
     wfPixelMap m = shaft->map, same = { 1, 0, 0 };
@@ -449,7 +440,7 @@ static void paint_arrow(const sheet *target, const stencil *shaft, wfInk ink)
 
 enum { MOST_DASHES = 2000 };
 
-static void paint_dashes(const sheet *target, const stencil *s, wfInk ink, float unit)
+static void paint_dashes(frame_buffer *target, const stencil *s, wfInk ink, float unit)
 {
     float x0 = wfPixelX(s->map, s->xy[0]), y0 = wfPixelY(s->map, s->xy[1]);
     float dx = wfPixelX(s->map, s->xy[2]) - x0, dy = wfPixelY(s->map, s->xy[3]) - y0;
@@ -471,12 +462,12 @@ static void paint_dashes(const sheet *target, const stencil *s, wfInk ink, float
 }
 
 /* draw text into the picture */
-static void paint_glyph(const sheet *target, const wfFont *font, const wfGlyph *g,
+static void paint_glyph(frame_buffer *target, const wfFont *font, const wfGlyph *g,
                         int32_t left, int32_t top, wfInk ink)
 {
-    int32_t x0 = left < 0 ? -left : 0, y0 = top < target->top ? target->top - top : 0;
+    int32_t x0 = left < 0 ? -left : 0, y0 = top < 0 ? -top : 0;
     int32_t x1 = target->width - left < g->width ? target->width - left : g->width;
-    int32_t y1 = target->bottom - top < g->height ? target->bottom - top : g->height;
+    int32_t y1 = target->height - top < g->height ? target->height - top : g->height;
     for (int32_t y = y0; y < y1; y++) {
         const uint8_t *cover_of = font->cover + (size_t)(g->y + y) * (size_t)font->width
                                   + (size_t)g->x;
@@ -487,7 +478,7 @@ static void paint_glyph(const sheet *target, const wfFont *font, const wfGlyph *
     }
 }
 
-static void paint_text(const sheet *target, const wfFont *font, float x, float y, float px,
+static void paint_text(frame_buffer *target, const wfFont *font, float x, float y, float px,
                        int anchor, const char *text, wfInk ink)
 {
     if (font == NULL || font->sizeCount < 1 || font->glyphCount < 1) return;
@@ -502,10 +493,10 @@ static void paint_text(const sheet *target, const wfFont *font, float x, float y
 }
 
 /* draw a list into the picture */
-static void draw_command(const sheet *target, const wfDraw *list, const wfDrawCommand *c,
+static void draw_command(frame_buffer *target, const wfDraw *list, const wfDrawCommand *c,
                          const wfFont *font, const wfPalette *p, float unit)
 {
-    wfPixelMap map = target->map;
+    wfPixelMap map = wfFrameMap(list->view, target);
     stencil s = { .map = map, .xy = wfDrawPoints(list, c), .count = c->count,
                   .half = 0.5f * unit * c->size, .kind = STROKE };
     float x = wfPixelX(map, s.xy[0]), y = wfPixelY(map, s.xy[1]);
@@ -572,37 +563,11 @@ wfPixelMap wfFrameMap(const float view[4], const frame_buffer *target)
     return wfMapView(view, (float)target->width, (float)target->height);
 }
 
-enum { LEAST_ROWS = 64 };       /* for one part */
-static wfWorkers sharing;
-
-void wfShareDrawing(wfWorkers workers) { sharing = workers; }
-
-typedef struct picture_work {
-    const wfDraw *list;
-    const wfFont *font;
-    const wfPalette *palette;
-    sheet whole;
-    float unit;
-} picture_work;
-
-static void draw_rows(void *context, int32_t part, int32_t top, int32_t bottom)
-{
-    const picture_work *w = context;
-    sheet rows = w->whole;
-    (void)part;
-    rows.top = top;
-    rows.bottom = bottom;
-    for (int i = 0; i < w->list->count; i++)
-        draw_command(&rows, w->list, wfDrawAt(w->list, i), w->font, w->palette, w->unit);
-}
-
 void wfRenderList(const wfDraw *list, const wfFont *font, const wfPalette *palette,
                   frame_buffer *target)
 {
     if (list == NULL || palette == NULL || !usable(target)) return;
     float unit = target->scale >= 0.25f && target->scale <= 16 ? target->scale : 1;
-    picture_work w = { list, font, palette,
-                       { target->pixels, target->width, target->height, target->pitch, 0, 0,
-                         wfFrameMap(list->view, target) }, unit };
-    wfInParts(&sharing, target->height, LEAST_ROWS, draw_rows, &w);
+    for (int i = 0; i < list->count; i++)
+        draw_command(target, list, wfDrawAt(list, i), font, palette, unit);
 }

@@ -6,7 +6,6 @@
 #include "testbed/canvas.h"
 #include "testbed/font.h"
 #include "testbed/platform.h"
-#include "weft/parallel.h"
 
 /* a row of coverage */
 #define WF_COVER_WIDTH 1024
@@ -31,8 +30,6 @@ void wfClearFrame(frame_buffer *target, wfInk ink);
  * Without a font (NULL) text is left out. Nothing outside the picture is touched. */
 void wfRenderList(const wfDraw *list, const wfFont *font, const wfPalette *palette,
                   frame_buffer *target);
-/* From now on these may share the drawing; { NULL, NULL }: nobody, as at first. */
-void wfShareDrawing(wfWorkers workers);
 /* Where the list's view lies in the picture: for the mouse. */
 wfPixelMap wfFrameMap(const float view[4], const frame_buffer *target);
 /* The ink laid over a pixel's bytes r, g, b, a, covering a share 0..1 of its light. */

@@ -5,8 +5,6 @@
 #include <string.h>
 #include <SDL.h>
 #include "testbed/layer.h"
-#include "testbed/raster.h"
-#include "testbed/workers.h"
 
 typedef struct sdl_app {
     SDL_Window *window;
@@ -220,15 +218,10 @@ static bool run_window(layer *l)
     sdl_app app;
     memset(&app, 0, sizeof app);
     app.layer = l;
-    int32_t hands = l->options->workers > 0 ? l->options->workers : SDL_GetCPUCount();
-    work_pool *pool = work_pool_open(hands < 4 ? hands : 4);
-    wfShareDrawing(work_pool_lend(pool));
     bool good = open_window(&app, l->options);
     if (!good) fprintf(stderr, "weft-testbed: %s\n", SDL_GetError());
     good = good && run(&app);
     close_window(&app);
-    wfShareDrawing((wfWorkers){ NULL, NULL });
-    work_pool_close(pool);
     return good;
 }
 
