@@ -609,7 +609,7 @@ WEFT_ROOT=$dir tangle/page html one "$dir/out/weave" "$dir/out/html/one.html" >>
 WEFT_ROOT=$dir tangle/page latex one "$dir/out/weave" "$dir/out/one.tex" >>"$work/log" 2>&1 || bad "TeX one"
 for w in 'Words of the box' 'Words of the section' 'Words below it' 'static'; do has "$dir/out/html/one.html" "$w" "the page has: $w"; hasnt "$dir/out/one.tex" "$w" "print has not: $w"; done
 has "$dir/out/one.tex" '\wOnline{Checks of the arguments}{4 lines of code, }{one.html, chunk 1.2}' "a box in a line"
-has "$dir/out/one.tex" '\wOnline{\wLabel{sec:one-hidden}1.2\enspace Hidden}{1 line of code, }{one.html, section 1.2}' "a section in a line"
+has "$dir/out/one.tex" '\wOnline{\wLabel{sec:one-hidden}\label{on:sec:one-hidden}1.2\enspace Hidden}{1 line of code, }{one.html, section 1.2}' "a section in a line"
 hasnt "$dir/out/one.tex" 'wId{d-wfHidden}' "print has no link to what it leaves out"
 hasnt "$dir/out/one.tex" 'hyperlink{sec:one-deep}' "nor to its sections"
 has "$dir/out/html/one.html" 'class="asm" href="#c-functions-of-a"' "a chunk can be shown assembled"
