@@ -1,4 +1,5 @@
 /* Several fingers on the buttons of a scene, and files that are dropped on the window: through the layer, with the game behind it. */
+#define _POSIX_C_SOURCE 200809L        /* mkdtemp */
 #include <stdlib.h>
 #include "testing.h"
 #include "testbed/layer.h"
