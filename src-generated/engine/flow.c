@@ -131,7 +131,8 @@ const wfFlowRow wfFlowTable[] = {
     { "strikes", WF_EITHER,
       { K(STATE) | K(SHAPES) | K(OWNERS) | K(FILTERS) | K(SHAPE_PROPS),
         F(PRESENT) | F(NEW_STATE) | F(NEW_BOUNDS) | F(NEW_FLAGS) | F(NEW_INDEX) | F(FLIGHTS)
-        | F(FLIGHT_OF) | F(JOINED) }, { 0, 0 }, NULL },
+        | F(FLIGHT_OF) }, { 0, 0 }, NULL },
+    { "strikes", WF_EITHER, { 0, F(JOINED) }, { 0, 0 }, NULL },
     { "copy", WF_EITHER,
       { K(PROPS) | K(OWNERS) | K(SHAPE_PROPS) | K(PAIRS) | K(CONTACTS) | K(REST), F(WOKEN) },
       { 0, F(WOKEN) }, NULL },
