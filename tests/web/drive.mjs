@@ -140,7 +140,7 @@ for (const [name, width, height] of [['upright', 390, 844], ['lying', 844, 390]]
   // a browser that wants to be asked by a finger is asked by one, and may say no
   for (const answer of ['granted', 'denied']) {
     const asked = await open('race car', answer), tilt = asked.getByRole('button', { name: 'Tilt' });
-    await tilt.waitFor({ timeout: 3000 }).catch(() => check(false, `${name}: no button to ask by`));
+    await tilt.waitFor({ timeout: 20000 }).catch(() => check(false, `${name}: no button to ask by`));
     await tilt.tap();
     await asked.waitForTimeout(200);
     same(await tilt.getAttribute('aria-pressed'), String(answer === 'granted'), `${name}: tilt after ${answer}`);
