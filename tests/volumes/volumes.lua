@@ -110,6 +110,7 @@ do
   for _, e in ipairs(db.entries) do all[#all + 1] = e end
   for _, e in ipairs(all) do
     local seen, source = {}, (e.name == "glossary" or db.volume_of[e.page or ""] == first and not e.of) and read(build .. "/tex/ch/" .. e.name .. ".tex") or ""
+    source = source:gsub("\\hyperlink{sec:[^}]*}{Section\\ [^}]*}", "")      -- in a comment of the code
     for id, words, on in source:gmatch("\\hyperlink{(sec:[^}]*)}{([^}]*)}(%S*)") do
       local told = on:match("^\\wOn{([^}]*)}")
       local elsewhere = e.name == "glossary" or words:match("^Section") and db.labels[id] and db.labels[id].page ~= e.page and not seen[id]
