@@ -413,7 +413,7 @@ static wfShape inner_copy(const wfShape *s, wfReal share, bool shrunk)
         wfVec2 sum;
         wfReal c = turn_at(s, i, &sum);
         if (shrunk) copy.vertices[i] = wfLerp(s->centre, s->vertices[i], share);
-        else if (!flat && inset > 0)
+        else if (s->count > 2 && inset > 0)     /* of two corners: core is a rounding */
             copy.vertices[i] = wfAddScaled(s->vertices[i], -inset / (1 + c), sum);
     }
     return copy;

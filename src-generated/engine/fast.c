@@ -3,7 +3,19 @@
 #include <string.h>
 #include "engine/step.h"
 
-enum { FLIGHT_TURNS = 1000 };   /* of a sweep; who makes more is swept by so many */
+/* how far a shape goes on a sweep */
+enum { FLIGHT_TURNS = 1000 };   /* of a sweep; a body that makes more is swept by so many */
+
+static wfReal arm_of(const struct wfStep *s, int32_t k)
+{
+    return wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
+}
+
+static WF_ONE_COPY wfReal way_of(const struct wfStep *s, int32_t k, wfSweep w)
+{
+    wfReal turn = wfAbs(w.angleTo - w.angleFrom);
+    return wfDistance(w.from, w.to) + turn * arm_of(s, k);
+}
 enum { FLIGHT_PASSES = 64 };    /* over what was struck before, after each impact */
 #define FLIGHT_LEFT WF_R(0.25)  /* of the least way: so much is left to the next step */
 enum { FLIGHT_TRIES = 16 };     /* searches of WF_IMPACT_STEPS, one behind the other */
@@ -23,17 +35,6 @@ static wfSweep sweep_of(const struct wfStep *s, int32_t i)
         turn = wfWrapAngle(turn) + (turn > 0 ? most : -most);
     return (wfSweep){ .from = old->p, .to = now->p, .angleFrom = old->angle,
                       .angleTo = old->angle + turn };
-}
-
-static wfReal arm_of(const struct wfStep *s, int32_t k)
-{
-    return wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
-}
-
-static WF_ONE_COPY wfReal way_of(const struct wfStep *s, int32_t k, wfSweep w)
-{
-    wfReal turn = wfAbs(w.angleTo - w.angleFrom);
-    return wfDistance(w.from, w.to) + turn * arm_of(s, k);
 }
 
 static bool can_change(const struct wfStep *s, int32_t i)

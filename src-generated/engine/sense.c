@@ -2,6 +2,20 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "engine/step.h"
 
+/* how far a shape goes on a sweep */
+enum { FLIGHT_TURNS = 1000 };   /* of a sweep; a body that makes more is swept by so many */
+
+static wfReal arm_of(const struct wfStep *s, int32_t k)
+{
+    return wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
+}
+
+static WF_ONE_COPY wfReal way_of(const struct wfStep *s, int32_t k, wfSweep w)
+{
+    wfReal turn = wfAbs(w.angleTo - w.angleFrom);
+    return wfDistance(w.from, w.to) + turn * arm_of(s, k);
+}
+
 /* When body i was last struck, share of the step; 0: its way has no corner. */
 static wfReal corner_of(const struct wfStep *s, int32_t i)
 {
@@ -20,9 +34,8 @@ static wfSweep part_of(wfSweep w, wfReal from, wfReal to)
 static wfSweep way_between(const struct wfStep *s, int32_t i, wfReal from, wfReal to)
 {
     const wfBodyState *old = &s->b.state[i], *now = &s->state[i];
-    enum { MOST_TURNS = 1000 };
     wfReal corner = corner_of(s, i), likely = s->b.head->timeStep * (old->w + now->w) / 2;
-    likely = wfClamp(likely, -2 * WF_PI * MOST_TURNS, 2 * WF_PI * MOST_TURNS);
+    likely = wfClamp(likely, -2 * WF_PI * FLIGHT_TURNS, 2 * WF_PI * FLIGHT_TURNS);
     wfReal turn = likely + wfWrapAngle(now->angle - old->angle - likely); /* eq:fast-turn */
     wfSweep way = { old->p, now->p, old->angle, old->angle + turn };
     if (!(corner > 0)) return part_of(way, from, to);
@@ -33,18 +46,12 @@ static wfSweep way_between(const struct wfStep *s, int32_t i, wfReal from, wfRea
     return part_of(way, from / corner, to / corner);
 }
 
-static wfReal way_on(const struct wfStep *s, int32_t k, wfSweep w)
-{
-    wfReal arm = wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
-    return wfDistance(w.from, w.to) + wfAbs(w.angleTo - w.angleFrom) * arm;
-}
-
 static wfReal whole_way(const struct wfStep *s, int32_t k)
 {
     int32_t i = s->b.bodyOfShape[k];
     wfReal corner = corner_of(s, i);
-    wfReal way = corner < 1 ? way_on(s, k, way_between(s, i, corner, 1)) : 0;
-    return corner > 0 ? way + way_on(s, k, way_between(s, i, 0, corner)) : way;
+    wfReal way = corner < 1 ? way_of(s, k, way_between(s, i, corner, 1)) : 0;
+    return corner > 0 ? way + way_of(s, k, way_between(s, i, 0, corner)) : way;
 }
 static bool parted(const struct wfStep *s, wfPair p, wfTransform xa, wfTransform xb,
                    wfSeparation *out)
@@ -62,7 +69,7 @@ static bool met_on(const struct wfStep *s, wfPair p, wfSweep a, wfSweep b)
     if (wfTimeOfImpact(&s->b.shapes[p.a], a, &s->b.shapes[p.b], b, &found) != WF_OK)
         return false;
     if (found.kind == WF_IMPACT_APART) return false;
-    wfReal way = way_on(s, p.a, a) + way_on(s, p.b, b), t = found.t;
+    wfReal way = way_of(s, p.a, a) + way_of(s, p.b, b), t = found.t;
     wfReal step = WF_IMPACT_GAP * wfMinR(s->b.materials[p.a].reach,
                                          s->b.materials[p.b].reach) / way;
     for (int i = 0; i < PICTURES && t < 1; i++, t = found.t + step, step *= 2)
@@ -95,7 +102,7 @@ typedef struct Flown {
     struct wfStep *s;
     int32_t *swift, count;      /* the shapes that went far */
     uint8_t *is;                /* of each shape: is it one of them? */
-    int32_t  k;                 /* who looks */
+    int32_t  k;                 /* the shape that looks */
     wfPair  *out;
     int32_t  found, most;
 } Flown;
@@ -118,13 +125,13 @@ static bool may_sense(const struct wfStep *s, wfPair p)
     const wfCallbacks *hooks = s->hooks;
     if (hooks != NULL && hooks->filter != NULL)
         may = hooks->filter(hooks->context, &s->view, p.a, p.b);
-    return may && !is_shown(s, p);
+    return may;
 }
 
 static void sense_flown(Flown *f, int32_t other)
 {
     wfPair p = wfMakePair(f->k, other);
-    if (!may_sense(f->s, p) || !flew_through(f->s, p)) return;
+    if (!may_sense(f->s, p) || !flew_through(f->s, p) || is_shown(f->s, p)) return;
     if (f->found < f->most) f->out[f->found] = p;
     f->found++;
 }

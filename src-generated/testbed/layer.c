@@ -197,13 +197,12 @@ void layer_bring(layer *l, const char *path)
 /* A scene as text takes the place of the one that was brought before, if it is good. */
 static bool take_text(layer *l, const char *name)
 {
-    static char said[460];
     char error[400] = "it can't be read", *text = read_text(l->brought);
     bool good = text && game_reads_scene(text, error, sizeof error);
-    snprintf(said, sizeof said, "%.50s: %s", name, error);
+    snprintf(l->said, sizeof l->said, "%.50s: %s", name, error);
     free(good ? l->scene : text);
     if (good) l->memory.text = l->scene = text;
-    else l->memory.news = said;
+    else l->memory.news = l->said;
     return good;
 }
 
@@ -321,7 +320,7 @@ static int32_t button_key(const layer *l, float x, float y)
 {
     static const int32_t key[] = { GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
                                    GAME_KEY_DOWN, GAME_KEY_ENTER };
-    static char text[1 << 18];
+    char text[1 << 16];
     unsigned bits = 0, held;
     float left, top, wide, high, gap;
     l->code.describe(&l->memory, text, sizeof text);

@@ -53,6 +53,7 @@ typedef struct layer {
     FILE *record;
     game_input last;            /* the input of the last frame */
     char brought[1024];         /* the path of a file that waits for the card; or "" */
+    char said[460];             /* what was wrong with the last one */
     layer_finger finger[LAYER_FINGERS];
     int64_t frames;
     game_code code;             /* the game itself: what is linked in, or a library's */
