@@ -603,7 +603,7 @@ local function table_block(el)
   else
     -- the caption stands in the table's first head, so that it stays with the table and is not repeated
     if #caption > 0 then el.caption.long = pandoc.List { pandoc.Plain { pandoc.Str("WEFTCAPTION") } } end
-    local text = pandoc.write(pandoc.Pandoc { el }, "latex-smart"):gsub("\\wOn{[^}]*}", "")       -- "on page n" would make a narrow column narrower
+    local text = pandoc.write(pandoc.Pandoc { el }, "latex-smart")
     local words = pandoc.write(pandoc.Pandoc { pandoc.Plain(caption) }, "latex-smart"):gsub("%s+$", "")
     text = text:gsub("\\caption{WEFTCAPTION}%s*\\tabularnewline", function()
       return "\\multicolumn{" .. #el.colspecs .. "}{@{}l@{}}{" .. (id and "\\wLabel{" .. id .. "}" or "") .. "\\wTableCaption{" .. (l and "Table~" .. l.num or "") .. "}{" .. words .. "}}\\\\[3pt]"
