@@ -144,9 +144,10 @@ local function breaks(lines)
   local first = 1                                       -- of the thing that line i is in
   for i = 1, n do
     if i == n or state[i] ~= "N" and state[i] <= 0 then
-      local last = lines[i]:match("%S") and i or i - 1
-      for k = first, i - 1 do                           -- a thing of six lines is not broken, and no part of less than three is left
-        glue[k] = (last - first < 6 or k - first < 2 or last - k < 3 or state[k] == "N") and "N" or state[k] <= 1 and "S" or "D"
+      local last, left = lines[i]:match("%S") and i or i - 1, 0
+      for k = i - 1, first, -1 do                       -- a thing of six lines is not broken; two lines and their braces are left at the least
+        if lines[k + 1]:match("^%s*[^%s}]") then left = left + 1 end
+        glue[k] = (last - first < 6 or k - first < 2 or left < 2 or state[k] == "N") and "N" or state[k] <= 1 and "S" or "D"
       end
       glue[i], first = lines[i]:match("%S") and "" or "G", i + 1
     end
