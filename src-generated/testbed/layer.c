@@ -322,14 +322,16 @@ static int32_t button_key(const layer *l, float x, float y)
                                    GAME_KEY_DOWN, GAME_KEY_ENTER };
     char text[1 << 16];
     unsigned bits = 0, held;
-    float left, top, wide, high, gap;
+    int near;
+    float left, top, wide, high, gap, apart;
     l->code.describe(&l->memory, text, sizeof text);
     const char *line = strstr(text, "\ncontrols ");
-    if (!line || sscanf(line, "\ncontrols %u %u pixel %f %f %f %f %f", &bits, &held, &left,
-                        &top, &wide, &high, &gap) != 7) return 0;
+    if (!line || sscanf(line, "\ncontrols %u %u pixel %f %f %f %f %f apart %d %f", &bits,
+                        &held, &left, &top, &wide, &high, &gap, &near, &apart) != 9) return 0;
     if (y < top || y >= top + high) return 0;
     for (int k = 0; k < 5; k++) {
         if (!(bits & 1u << k)) continue;
+        if (near-- == 0) left += apart;
         if (x >= left && x < left + wide) return key[k];
         left += wide + gap;
     }

@@ -14,6 +14,11 @@ float game_beside(const game_state *s)
     return s->panel && !s->bare && left >= 200 ? SETTINGS_WIDTH : 0;
 }
 
+bool game_panel_covers(const game_state *s)
+{
+    return s->panel && !s->bare && game_beside(s) <= 0;
+}
+
 static bool panel_shows(const game *g, float y, float h)
 {
     return y >= g->panel_top && y + h <= g->panel_bottom;

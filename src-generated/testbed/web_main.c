@@ -35,6 +35,7 @@ static void make_frame(frame_buffer *picture, double seconds, int steps)
     input.steps = steps;
     game_update_and_render(&memory, &input, picture);
     game_forget_moment(&input);
+    memory.news = NULL;
 }
 
 static void take(int32_t kind, float x, float y, int32_t code)
@@ -51,6 +52,16 @@ EXPORT("web_set") int web_set(int length, double value)
     if (length < 1 || length >= NAME_BYTES) return 0;
     text[length] = 0;
     return game_set(&memory, text, value);
+}
+
+/* The page says something: so many bytes, in web_name(). */
+EXPORT("web_news") void web_news(size_t length)
+{
+    static char news[120];
+    if (length >= sizeof news) length = sizeof news - 1;
+    memcpy(news, text, length);
+    news[length] = 0;
+    memory.news = news;
 }
 
 /* What leads to this scene and its settings, in web_name(); returns the length. */
