@@ -415,7 +415,7 @@ TEST(a_plot_has_its_picture)
 
 static float letters(const char *text) { return fmaxf(6.2f * (float)strlen(text), wfTextWidth(&wfBakedFont, 13, text)); }
 
-/* In the head of a box no word lies on another, nor in a page, whose letters of 11 units are those of 13. What can't be had has no axes. */
+/* In the head of a box no word lies on another, whatever letters there are. What can't be had has no axes. */
 TEST(a_plots_words_have_room)
 {
     static wfPlots plots;

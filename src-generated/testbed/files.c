@@ -87,7 +87,7 @@ void game_load_world(game *g)
     wfWorld made;
     wfResult result = WF_ERROR_NOT_A_SAVE;
     memcpy(name, f->bytes, SAVE_HEAD);
-    bool whole = f->size > SAVE_HEAD && memchr(name, 0, SAVE_HEAD);
+    bool whole = f->size > SAVE_HEAD && name[0] && memchr(name, 0, SAVE_HEAD);
     int row = whole ? saved_row(g, name) : -1;
     wfMemory spare = spare_memory(g, SPARE);
     if (whole)

@@ -36,6 +36,7 @@ static void interface(ui *u, game *g, double seconds)
     if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
     if (b.terse) ui_fitted(u, b.x + 6, b.y + 16, WF_INK_TEXT, b.right - b.x - 6, g->scene->name);
+    b.terse = false;
     if (s->bar) game_tool_bar(u, g, &b);
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
     /* name the scene */
@@ -244,6 +245,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     follow(&g);
     memory->cursor = cursor_of(&g, &u);
     game_note_tape(&g);
+    fold_panels(s);                             /* as they are now, to be kept */
     game_keep_settings(&g);
     memory->still = stays_as_it_is(&g);
     if (!buffer->pixels) return;

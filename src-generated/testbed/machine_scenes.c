@@ -445,7 +445,7 @@ static const wfScene row[] = {
       .define = jointly, .build = build_trebuchet, .update = work_trebuchet,
       .draw = draw_trebuchet, .controls = { [WF_ENTER] = "throw" },
       .demo = "....EEEEEEE......................................",
-      VIEW(8.6, 4.6, 16), SHAPE(1.85), PROMISE(5, 0.6) },
+      VIEW(8.6, 4.6, 16), SHAPE(2), PROMISE(5, 0.6) },
     { .category = "Play", .name = "wrecking ball", .chapter = "joints",
       .text = "Ten kilograms on a winch, and a house without mortar.",
       .define = jointly, .build = build_wrecking, .update = work_wrecking,

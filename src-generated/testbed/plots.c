@@ -226,7 +226,7 @@ static int curves_of(const wfPlots *p, int row)
     return n;
 }
 
-/* A page has letters of 13 pixels for those of 11, too; without any, 6.2 each. */
+/* In a page, and in small letters, those of 13 pixels stand for those of 11. */
 static float letters(const char *text)
 {
     return fmaxf(6.2f * (float)strlen(text), wfTextWidth(&wfBakedFont, 13, text));
