@@ -466,7 +466,7 @@ static wfResult run_trial(int solver, int passes, int steps, wfWorld *out)
     static _Alignas(WF_POOL_ALIGN) uint8_t kept[1 << 18], scratch[1 << 21];
     wfWorldDef def = wfDefaultWorldDef();
     def.memory = (wfMemory){ .permanent = kept, .permanentSize = sizeof kept,
-        .transient = scratch, .transientSize = sizeof scratch };    /* a page has no other */
+        .transient = scratch, .transientSize = sizeof scratch };   /* all that a page has */
     def.solver = solver;
     def.iterations = passes;
     def.bodyCapacity = 16;

@@ -35,7 +35,8 @@ static void interface(ui *u, game *g, double seconds)
     if (s->list && !drawer) game_list_panel(u, g);
     if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
-    if (b.terse) ui_fitted(u, b.x + 6, b.y + 16, WF_INK_TEXT, b.right - b.x - 6, g->scene->name);
+    float rest = b.right - b.x - 6;
+    if (b.terse) ui_fitted(u, b.x + 6, b.y + 16, WF_INK_TEXT, rest, g->scene->name);
     b.terse = false;
     if (s->bar) game_tool_bar(u, g, &b);
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);

@@ -82,7 +82,7 @@ typedef struct game_state {
     int32_t no_legend;                  /* 1: none stands on the picture */
     double empty;                       /* s since the last body has left */
     float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
-    int32_t narrow, wide[3];            /* a window without LIST_ROOM; list, tools, panel of one with */
+    int32_t narrow, wide[3];            /* less than LIST_ROOM; list, tools, panel with more */
     int32_t quiet;                      /* frames in which nothing has happened */
     int32_t most, made;                 /* steps in a frame, at most; in the last one */
     double wall, passed, pace; /* s on the wall, in the world; the share of the last second */

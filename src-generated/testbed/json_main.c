@@ -45,7 +45,8 @@ EXPORT("json_write") size_t json_write(size_t size)
     wfWorld world;
     char *made;
     size_t length = 0;
-    if (size > sizeof bytes || wfLoadFromBytes(bytes, size, NULL, &world) != WF_OK) return 0;
+    if (size > sizeof bytes) return 0;
+    if (wfLoadFromBytes(bytes, size, NULL, &world) != WF_OK) return 0;
     if (wfWriteScene(&world, &info, &made) == WF_OK) {
         length = strlen(made);
         if (length > sizeof text) length = 0;

@@ -12,7 +12,8 @@ enum { KEPT_CURVES = -8, KEPT_OVERLAYS = -9 };      /* a bit for each row of a t
 
 static const kept_number kept_table[] = {
     { "dark", FLAG(dark), 1 }, { "letters", FLAG(letters), UI_SIZES - 1 },
-        { "list", FLAG(wide[0]), 1 }, { "tools", FLAG(wide[1]), 1 }, { "ends", FLAG(ends), 1 },
+        { "list", FLAG(wide[0]), 1 }, { "tools", FLAG(wide[1]), 1 },
+    { "ends", FLAG(ends), 1 },
     { "legend-not", FLAG(no_legend), 1 },
     { "panel", FLAG(wide[2]), 1 }, { "tab", FLAG(tab), -1 },
     { "tool", FLAG(tools.tool), -2 }, { "shape", FLAG(tools.choice[TOOL_SHAPE]), -3 },

@@ -16,7 +16,7 @@ wfResult wfWorldOfText(const char *text, size_t length, const wfMemory *memory,
                        wfWorld *out, wfTextError *error);
 wfResult wfTextOfWorld(const wfWorld *world, const wfSceneInfo *info, char *out,
                        size_t capacity, size_t *size);
-/* The same where there is no cJSON: bytes of which a platform has the text made. Or NULL. */
+/* The same without cJSON: bytes of which a platform has the text made. Or NULL. */
 typedef wfResult wfTextOfWorldFn(const wfWorld *world, const wfSceneInfo *info, char *out,
                                  size_t capacity, size_t *size);
 extern wfTextOfWorldFn *wfWriteSceneElsewhere;
