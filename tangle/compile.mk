@@ -51,6 +51,8 @@ $(shell mkdir -p $(OUT); echo '$(CC) $(STD) $(CFLAGS) $(JSONINC)' | cmp -s - $(F
 lib: $(OUT)/lib/libweft.a $(OUT)/lib/libweft-collision.a $(JSONLIB) $(JSONLIB:$(OUT)/lib/lib%.a=$(OUT)/lib/pkgconfig/%.pc) $(OUT)/lib/$(SHARED) $(OUT)/lib/pkgconfig/weft.pc $(OUT)/lib/cmake/weft/weftConfig.cmake $(OUT)/lib/cmake/weft/weftConfigVersion.cmake
 
 $(LIBOBJ): HIDDEN := -fvisibility=hidden -DWF_ENGINE
+# most of a frame is mixing pixels; its sums may be made in lanes, where no processor was named whose lanes round otherwise
+$(OUT)/obj/testbed/raster.o: HIDDEN := $(if $(findstring -m,$(CFLAGS)),,$(if $(filter -O2,$(CFLAGS)),-O3 -ftree-vectorize))
 $(OUT)/obj/%.o: $(SRC)/%.c $(FLAGS)
 	@mkdir -p $(@D)
 	@$(if $(V),,echo "  cc $<";) $(if $(V),set -x;) $(COMPILE) -fPIC -fno-semantic-interposition $(HIDDEN) -MMD -MP -c $< -o $@

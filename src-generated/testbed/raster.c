@@ -202,20 +202,20 @@ static bool near_row(const wfCoverRow *row, const side *s, double reach, float a
 
 static void cover_stroke(wfCoverRow *row, const side *s, float half)
 {
-    float a[2], b[2], reach = half + 0.5f;
+    float a[2], b[2], reach = half + 0.5f, ux = s->ux, uy = s->uy;
     if (!near_row(row, s, (double)reach, a, b)) return;
     float low = (a[0] < b[0] ? a[0] : b[0]) - reach;
     float high = (a[0] < b[0] ? b[0] : a[0]) + reach;
     int32_t first = floor_within(low, 0, row->width);
     int32_t last = floor_within(high + 1, 0, row->width);
-    float length = (b[0] - a[0]) * s->ux + (b[1] - a[1]) * s->uy;
+    float length = (b[0] - a[0]) * ux + (b[1] - a[1]) * uy;
     touch(row, first, last);
     for (int32_t i = first; i < last; i++) {
         /* find the distance from the line by eq:draw-nearest */
-        float along = ((float)i - a[0]) * s->ux - a[1] * s->uy;
+        float along = ((float)i - a[0]) * ux - a[1] * uy;
         along = along > 0 ? along : 0;
         along = along < length ? along : length;
-        float x = (float)i - a[0] - along * s->ux, y = -a[1] - along * s->uy;
+        float x = (float)i - a[0] - along * ux, y = -a[1] - along * uy;
         greater(row, i, band((float)wfSqrt(x * x + y * y), half));
     }
 }
