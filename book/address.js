@@ -18,7 +18,7 @@
     return came;
   };
   // scenes as text: the module that reads those of the list makes a saved world of one, and the text of a world
-  const say = text => game.act(x => x.web_news(game.put(x, x.web_name(), text.replace(/[^ -~]/g, '?').slice(0, 119))));
+  const say = text => game.act(x => { game.put(x, x.web_name(), text.replace(/[^ -~]/g, '?').slice(0, 118)); x.web_news(); });
   const write = async bytes => {
     const { x } = await game.json(), head = x.json_info_size(), put = (at, part) => new Uint8Array(x.memory.buffer, at, part.length).set(part);
     put(x.json_info(), bytes.subarray(0, head));

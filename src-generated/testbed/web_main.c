@@ -9,7 +9,7 @@ enum { MOST_WIDTH = 3840, MOST_HEIGHT = 2160, NAME_BYTES = 64 };
 
 _Alignas(64) static uint8_t permanent[GAME_PERMANENT_SIZE], transient[GAME_TRANSIENT_SIZE];
 static uint32_t pixels[MOST_WIDTH * MOST_HEIGHT];
-static char text[1 << 16];
+static char text[1 << 16], news[120];
 static uint8_t file_bytes[GAME_FILE_BYTES];
 static game_file file = { .bytes = file_bytes, .capacity = sizeof file_bytes };
 static game_memory memory = { permanent, sizeof permanent, transient, sizeof transient,
@@ -54,13 +54,10 @@ EXPORT("web_set") int web_set(int length, double value)
     return game_set(&memory, text, value);
 }
 
-/* The page says something: so many bytes, in web_name(). */
-EXPORT("web_news") void web_news(size_t length)
+/* The page says what is in web_name(), with a zero at its end. */
+EXPORT("web_news") void web_news(void)
 {
-    static char news[120];
-    if (length >= sizeof news) length = sizeof news - 1;
-    memcpy(news, text, length);
-    news[length] = 0;
+    memcpy(news, text, sizeof news - 1);
     memory.news = news;
 }
 
