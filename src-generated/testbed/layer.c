@@ -326,8 +326,7 @@ static int32_t button_key(const layer *l, float x, float y)
     l->code.describe(&l->memory, text, sizeof text);
     const char *line = strstr(text, "\ncontrols ");
     if (!line || sscanf(line, "\ncontrols %u %u pixel %f %f %f %f %f apart %u %f", &bits,
-                        &held, &left, &top, &wide, &high, &gap, &near, &apart) != 9)
-        return 0;
+                    &held, &left, &top, &wide, &high, &gap, &near, &apart) != 9) return 0;
     if (y < top || y >= top + high) return 0;
     for (int k = 0; k < 5; k++) {
         if (!(bits & 1u << k)) continue;
