@@ -10,10 +10,40 @@
   // what the game wants of files: the world of the address, and a world that goes into one; a larger one is a file
   game.own = (wish, name, bytes) => {
     if (wish === 3 && name === 'link.save') { copy(bytes); return bytes; }
+    if (wish === 3 && name === 'scene.json') { write(bytes); return bytes; }
+    if (wish === 2 && name === 'scene.json') { choose(); return new Uint8Array(0); }
     if (wish !== 2 || name !== 'world.save' || !linked) return null;
     const came = linked;
     linked = null;
     return came;
+  };
+  // scenes as text: the module that reads those of the list makes a saved world of one, and the text of a world
+  const say = text => game.act(x => { game.put(x, x.web_name(), text.replace(/[^ -~]/g, '?').slice(0, 118)); x.web_news(); });
+  const write = async bytes => {
+    const { x } = await game.json(), head = x.json_info_size(), put = (at, part) => new Uint8Array(x.memory.buffer, at, part.length).set(part);
+    put(x.json_info(), bytes.subarray(0, head));
+    put(x.json_bytes(), bytes.subarray(head, head + (1 << 21)));
+    const size = x.json_write(bytes.length - head);
+    if (size) game.handOut(new Uint8Array(x.memory.buffer, x.json_text(), size).slice(), 'scene.json');
+    say(size ? `kept: scene.json, ${size} bytes` : 'this world is too large for a text: save it instead');
+  };
+  const read = async (bytes, name) => {
+    try {
+      const [world, info] = await game.readScene(name, bytes);
+      await game.more();
+      game.act(x => x.web_guest());
+      const at = game.take(world, info);
+      if (!at) throw new Error('its world is too large for a page');
+      game.open(game.word(at));
+      game.frame(0, 0);
+      game.key(104);                                   // Home: another file may have stood there
+    } catch (e) { say(`${name}: ${e.message}`); }
+  };
+  const choose = () => {
+    const chooser = Object.assign(document.createElement('input'), { type: 'file', accept: '.json,application/json' });
+    chooser.onchange = async () => { const file = chooser.files[0]; if (file) read(new Uint8Array(await file.arrayBuffer()), file.name); };
+    chooser.click();
+    say('which file?');
   };
   const copy = async bytes => {
     const packed = letters(await through(bytes, new CompressionStream('deflate-raw')));
@@ -61,6 +91,7 @@
     e.preventDefault();
     const bytes = new Uint8Array(await file.slice(0, 1 << 24).arrayBuffer()), name = file.name.replace(/[^ -~]/g, '-').slice(-39);
     await game.more();
+    if (/\.json$/i.test(name)) { read(bytes, name); return; }
     const give = x => {
       new Uint8Array(x.memory.buffer, x.web_name(), name.length).set(Uint8Array.from(name, c => c.charCodeAt(0)));
       if (!x.web_dropped(name.length, bytes.length)) return false;

@@ -5,16 +5,16 @@
   const KEYS = [[1, 128], [2, 129], [4, 130], [8, 131], [16, 13]], fingers = new Map(), hands = new Map();
   // where the buttons are: a line of the game's facts
   const rowOf = canvas => {
-    const told = canvas.game.describe().match(/^controls (\d+) \d+ pixel (.*)$/m);
+    const told = canvas.game.describe().match(/^controls (\d+) \d+ pixel (.*) apart (.*)$/m);
     if (!told) return null;
-    const [x, y, w, h, gap] = told[2].split(' ').map(Number);
-    return { bits: KEYS.map(k => k[0]).filter(bit => told[1] & bit), x, y, w, h, gap };
+    const [x, y, w, h, gap, near, apart] = (told[2] + ' ' + told[3]).split(' ').map(Number);
+    return { bits: KEYS.map(k => k[0]).filter(bit => told[1] & bit), x, y, w, h, gap, near, apart };
   };
   const density = canvas => canvas.width / canvas.getBoundingClientRect().width;
   const under = (canvas, row, e) => {
     const box = canvas.getBoundingClientRect(), k = density(canvas), x = k * (e.clientX - box.left) - row.x, y = k * (e.clientY - box.top) - row.y;
-    const i = Math.floor(x / (row.w + row.gap));
-    return y >= 0 && y < row.h && x - i * (row.w + row.gap) < row.w && row.bits[i] || 0;
+    const i = row.bits.findIndex((bit, i) => { const from = i * (row.w + row.gap) + (i < row.near ? 0 : row.apart); return x >= from && x < from + row.w; });
+    return y >= 0 && y < row.h && row.bits[i] || 0;
   };
   // what fingers and tilt hold together, against what the game was told
   const hand = canvas => hands.get(canvas) || hands.set(canvas, { told: 0, tilt: 0, on: false, level: null, pairs: 0, button: null }).get(canvas);

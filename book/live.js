@@ -192,10 +192,12 @@
   };
 
   // A scene in a file is read by a module of its own (chapter 27), and comes as a saved world and a record of what the file says of itself.
-  const readScene = async name => {
-    const { x } = await instance('json'), text = atob(window.WEFT_FILES[name]);
-    new Uint8Array(x.memory.buffer, x.json_text(), text.length).set(Uint8Array.from(text, c => c.charCodeAt(0)));
+  const readScene = async (name, bytes) => {
+    const { x } = await instance('json'), text = bytes || Uint8Array.from(atob(window.WEFT_FILES[name]), c => c.charCodeAt(0));
+    if (text.length > x.json_room()) throw new Error('it is too large');
+    new Uint8Array(x.memory.buffer, x.json_text(), text.length).set(text);
     const size = x.json_read(text.length), part = (at, n) => new Uint8Array(x.memory.buffer, at, n).slice();
+    if (!size) throw new Error(words.decode(part(x.json_text(), 160)).replace(/\0[^]*/, ''));
     return [part(x.json_bytes(), size), part(x.json_info(), x.json_info_size())];
   };
   const brought = {}, bring = src => { if (!brought[src]) document.head.append(brought[src] = Object.assign(document.createElement('script'), { src: here + src })); };
@@ -297,15 +299,15 @@
       reading = true;
       const [world, info] = await readScene(name).catch(() => [[], []]);
       reading = false;
-      if (word(x.web_wanted()) !== name) return;       // another one is wanted by now
-      act(x => {
-        const fits = world.length <= x.web_came_room();
-        if (fits) new Uint8Array(x.memory.buffer, x.web_came_bytes(), world.length).set(world);
-        if (fits) new Uint8Array(x.memory.buffer, x.web_came_info(), info.length).set(info);
-        x.web_came(fits ? world.length : 0);
-      });
-      if (world.length) open(name);
+      if (word(x.web_wanted()) !== name || !take(world, info)) return;   // another one is wanted by now
+      if (!game.describe().startsWith(`scene ${name}\n`)) open(name);   // its world is there if it was loaded
     };
+    const take = (world, info) => act(x => {
+      const fits = world.length <= x.web_came_room();
+      if (fits) new Uint8Array(x.memory.buffer, x.web_came_bytes(), world.length).set(world);
+      if (fits) new Uint8Array(x.memory.buffer, x.web_came_info(), info.length).set(info);
+      return x.web_came(fits ? world.length : 0);
+    });
     const tick = now => {
       if (!on) return;
       if (idle) { waits = true; return; }              // the picture stays as it is until something happens
@@ -391,7 +393,8 @@
     canvas.addEventListener('keyup', e => { const k = keyOf(e); if (k === 13 || (k > 127 && k < 132)) act(x => x.web_key_up(k)); });
     canvas.addEventListener('blur', () => { if (!log) act(x => x.web_key_up(0)); });
     const game = {
-      frame, open, more, act, handOut,
+      frame, open, more, act, handOut, put, word, take, readScene,
+      json: () => instance('json'),
       parts: () => log ? 1 : 2,
       frames: () => frames,
       key: k => act(x => x.web_key(k)),

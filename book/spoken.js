@@ -4,7 +4,7 @@
   'use strict';
   const canvas = document.getElementById('testbed'), bar = document.createElement('div'), told = document.createElement('p');
   bar.setAttribute('role', 'toolbar'); bar.setAttribute('aria-label', 'controls of the testbed');
-  told.setAttribute('role', 'status');
+  told.setAttribute('role', 'status'); told.setAttribute('aria-live', 'polite');
   bar.className = told.className = 'spoken';
   canvas.after(bar, told);
   let names = '', at = {};
@@ -27,6 +27,10 @@
     const news = `${fact('scene')}, ${fact('paused') === '1' ? 'paused' : 'running'}${fact('said') ? ': ' + fact('said') : ''}`;
     if (told.textContent !== news) told.textContent = news;
   };
-  look();
-  setInterval(look, 1000);
+  // soon after whoever is at the controls has done something, and four times a second. A line that is there when it is first seen is not read
+  // out, so the first one comes a moment later.
+  const soon = () => { for (const wait of [50, 150]) setTimeout(look, wait); };
+  setTimeout(look, 100);
+  for (const type of ['keydown', 'pointerup', 'click']) document.addEventListener(type, soon, true);
+  setInterval(look, 250);
 })();

@@ -124,6 +124,37 @@ local function near(ids)
   for _, id in ipairs(ids) do if not Code.far(db, db.chunks[id].page) and not db.chunks[id].online then r[#r + 1] = id end end
   return r
 end
+-- Where code may break over pages: for each line what is behind \wL (book.tex has their penalties). N: never; G: gladly, between two functions;
+-- nothing: between two things; S: between two statements of a long function; D: deeper in it.
+local function breaks(lines)
+  local n, glue, state, depth, round, comment = #lines, {}, {}, 0, 0, false
+  for i, line in ipairs(lines) do
+    local rest, code = (line:gsub('"[^"]*"', ""):gsub("'[^']*'", "")) .. " ", ""
+    repeat
+      local a, b = rest:find(comment and "*/" or "/* ", 1, true)
+      if not comment then code = code .. rest:sub(1, (a or 0) - 1) end
+      if a then comment, rest = not comment, rest:sub(b + 1) end
+    until not a
+    depth = code:match("^}") and 0 or depth + select(2, code:gsub("{", "")) - select(2, code:gsub("}", ""))
+    round = math.max(0, round + select(2, code:gsub("%(", "")) - select(2, code:gsub("%)", "")))
+    -- what a comment, a bracket or a brace begins goes on
+    state[i] = (comment or round > 0 or code:match("[{\\]%s*$") or line:match("%S") and not code:match("%S")) and "N" or depth
+  end
+  for i = 1, n - 1 do if lines[i + 1]:match("^%s*{?%s*$") or lines[i + 1]:match("^%s*}") then state[i] = "N" end end
+  local first = 1                                       -- of the thing that line i is in
+  for i = 1, n do
+    if i == n or state[i] ~= "N" and state[i] <= 0 then
+      local last, left = lines[i]:match("%S") and i or i - 1, 0
+      for k = i - 1, first, -1 do                       -- a thing of six lines is not broken; two lines and their braces are left at the least
+        if lines[k + 1]:match("^%s*[^%s}]") then left = left + 1 end
+        glue[k] = (last - first < 6 or k - first < 2 or left < 2 or state[k] == "N") and "N" or state[k] <= 1 and "S" or "D"
+      end
+      glue[i], first = lines[i]:match("%S") and "" or "G", i + 1
+    end
+  end
+  for i = 1, n do if i == 1 or i == 2 and n > 3 or i >= n - 2 then glue[i] = "N" end end
+  return glue
+end
 local function chunk(k)
   local c = mine.chunks[k]
   local feet = {}
@@ -161,7 +192,7 @@ local function chunk(k)
         if #uses == 0 then goto next end
       end
       for i, u in ipairs(uses) do
-        if i > 6 then users[#users + 1] = "\u{2026}" break end
+        if i > (html and 6 or 3) then users[#users + 1] = "\u{2026}" break end
         users[#users + 1] = chunk_link(u)
       end
       r[#r + 1] = (html and '<a href="#' .. d.anchor .. '"><code>' .. d.name .. "</code></a>" or "\\wId{" .. Code.tex_id(d.anchor) .. "}{\\wFootCode{" .. Code.tex(d.name):gsub("\\_", "\\_\\wBreak{}") .. "}}") ..
@@ -184,19 +215,14 @@ local function chunk(k)
     previews[#previews + 1] = { c.id, head .. body }
     return rawb('<figure class="chunk" id="' .. c.id .. '">' .. head .. "\n" .. body .. "\n" .. foot .. "</figure>")
   end
-  local rows, last = {}, c.printed or #c.lines
-  local function words(i)
-    local t = {}
-    for k, token in ipairs(c.lines[i] or {}) do t[k] = token[2] end
-    return table.concat(t)
-  end
+  local rows, last, text = {}, c.printed or #c.lines, {}
   for i = 1, last do
-    -- no lone line at a page's foot or head; a function's name stays with its first line, its comment with its name, and no brace is alone
-    local line, next_line = words(i), words(i + 1)
-    local glue = (i == 1 or i == 2 and last > 3 or i >= last - 1 or line == "{" or next_line:match("^%s*[{}][;%s]*$") or line:match("^/%*.*%*/$") or
-      select(2, line:gsub("%(", "")) > select(2, line:gsub("%)", ""))) and "N" or ""
-    rows[i] = "\\wL" .. glue .. "{" .. Code.line_tex(db, c.lines[i]) .. "}"
+    local t = {}
+    for k, token in ipairs(c.lines[i]) do t[k] = token[2] end
+    text[i] = table.concat(t)
   end
+  local glue = breaks(text)
+  for i = 1, last do rows[i] = "\\wL" .. glue[i] .. "{" .. Code.line_tex(db, c.lines[i]) .. "}" end
   if c.printed then rows[#rows + 1] = "\\wMore{" .. #c.lines - last .. "}{" .. Code.tex(here) .. "}" end
   return rawb(string.format("\\wChunk{%s}{%s}{%s}{%s}{%s}{%s}%%\n%s\n\\wFoot{%s}", c.id, c.num, Code.name(db, c.name, "tex"),
     c.part > 1 and "\\wPlus" or "", (c.only and "only with \\textbf{" .. Code.tex(c.only) .. "}, " or "") .. Code.tex(c.file) .. ":" .. c.line, c.part == 1 and Code.tex(c.name:lower():gsub("[^%w ]", "")) or "",
@@ -409,6 +435,7 @@ local function data_table(el)
   end
   local function show(cell)                            -- 1.25e-06 as 1.25 x 10^-6
     local m, e = cell:match("^(%-?[%d%.]+)[eE]([+-]?%d+)$")
+    if m and tonumber(m) == 0 then return "0" end
     if not m then
       if tonumber(cell) and cell:match("^%-") then return html and "\u{2212}" .. cell:sub(2) or "$-$" .. cell:sub(2) end
       return (esc(cell):gsub("%f[%d](%d[%d%.]*)e([+-]%d%d)%f[%D]", function(digits, power)      -- in a text, too
@@ -418,7 +445,7 @@ local function data_table(el)
     end
     e = tostring(math.tointeger(tonumber(e)))
     if html then return Code.html(m:gsub("^%-", "\u{2212}")) .. "\u{a0}\u{b7}\u{a0}10<sup>" .. e:gsub("^%-", "\u{2212}") .. "</sup>" end
-    return "$" .. m .. "\\cdot10^{" .. e .. "}$"
+    return "\\mbox{$" .. m .. "\\cdot10^{" .. e .. "}$}"
   end
   local id, l = el.identifier, db.labels[el.identifier]
   local command, machine = command_of_csv(a.file), machine_of_csv(a.file)
@@ -429,7 +456,7 @@ local function data_table(el)
     for j, col in ipairs(columns) do
       local most = 0                                   -- sentences need more than a word's width
       for _, line in ipairs(cells) do most = math.max(most, utf8.len(line[j]) or #line[j]) end
-      t[#t + 1] = "<th" .. (numeric[j] and ' class="n"' or most > 24 and string.format(' style="min-width:%.1fem"', math.min(13, 1.1 * math.sqrt(most))) or "") .. ">" .. Code.html(col[2]) .. "</th>"
+      t[#t + 1] = "<th" .. (numeric[j] and ' class="n"' or most > 24 and string.format(' style="min-width:%.1fem"', math.min(13, 1.1 * math.sqrt(most))) or "") .. ">" .. Code.html(col[2]):gsub("%f[%S]%-%S+", '<span class="nw">%0</span>') .. "</th>"
     end
     t[#t + 1] = "</tr></thead><tbody>"
     for _, line in ipairs(cells) do
@@ -449,6 +476,7 @@ local function data_table(el)
       most[j], word[j] = 0, 0
       for i = 0, #cells do
         local cell = i == 0 and col[2] or cells[i][j]
+        if cell:match("^%-?[%d%.]+[eE]") then cell = cell .. "  " end          -- 1.2e-06 is shown as 1.2 x 10^-6
         if i > 0 then most[j] = math.max(most[j], utf8.len(cell) or #cell) end
         for w in cell:gmatch("[^%s]+") do word[j] = math.max(word[j], utf8.len(w) or #w) end
       end
@@ -461,10 +489,17 @@ local function data_table(el)
       for j = 1, #columns do if most[j] <= 14 then room = room - most[j] else share = share + math.sqrt(most[j]) * math.sqrt(most[j]) ^ 0.5 end end
       for j, col in ipairs(columns) do
         local w = most[j] > 14 and math.max(word[j], math.min(most[j], room * math.sqrt(most[j]) ^ 1.5 / share)) or most[j] < #col[2] and 1.12 * most[j]
-        if w then
-          broad[j] = w
-          spec[j] = string.format(">{\\ragged%s\\arraybackslash}p{%.1fpt}", numeric[j] and "left" or "right", w * 3.95)
-        end
+        broad[j] = w or nil
+      end
+      local left, heads = 104 - 1.4 * #columns, 0                      -- what is left goes to the headings that are broken
+      for j, col in ipairs(columns) do
+        left = left - (broad[j] or most[j])
+        if broad[j] and broad[j] < #col[2] then heads = heads + 1 end
+      end
+      for j, w in pairs(broad) do
+        local head = #columns[j][2]
+        if left > 0 and w < head then broad[j] = math.min(head, w + left / heads) end
+        spec[j] = string.format(">{\\ragged%s\\arraybackslash}p{%.1fpt}", numeric[j] and "left" or "right", broad[j] * 3.95)
       end
     end
     for j, col in ipairs(columns) do spec[j] = spec[j] or numeric[j] and "r" or "l"; head[j] = "\\textbf{" .. Code.tex(col[2]) .. "}" end
@@ -507,12 +542,15 @@ local function fit_columns(el)
     most[j], word[j] = 4, 4
   end
   if html and not alike then return end
+  local function shown(r)                               -- the words of what is TeX already: code, references
+    return pandoc.Str((r.text:gsub("\\wBreak{}", ""):gsub("\\wFar{[^}]*}{[^}]*}", ""):gsub("\\w[OI][nd]{[^}]*}", ""):gsub("\\hyperlink{[^}]*}", ""):gsub("\\%a+ ?", ""):gsub("[{}\\]", "")))
+  end
   local function measure(rows)
     for _, row in ipairs(rows) do
       for j, cell in ipairs(row.cells) do
-        local text = pandoc.utils.stringify(cell.contents)
+        local text = pandoc.utils.stringify(pandoc.Div(cell.contents):walk { RawInline = shown })
         most[j] = math.max(most[j], utf8.len(text) or #text)
-        for w in text:gmatch("%S+") do word[j] = math.max(word[j], 1 + (utf8.len(w) or #w)) end
+        for w in text:gmatch("%S+") do word[j] = math.max(word[j], math.min(24, 2 + (utf8.len(w) or #w))) end
       end
     end
   end
@@ -727,8 +765,9 @@ function code_block(el)
   if el.classes:includes("data") then return data_table(el) end
   local is_c = el.classes:includes("c")
   local inside, rows = false, {}
-  local _, last = el.text:gsub("\n", "")
-  last = last + 1
+  local glue = {}
+  for l in (el.text .. "\n"):gmatch("(.-)\n") do glue[#glue + 1] = l end
+  glue = breaks(glue)
   for l in (el.text .. "\n"):gmatch("(.-)\n") do
     local line, n = {}, #rows + 1
     if is_c then
@@ -744,8 +783,7 @@ function code_block(el)
         if t[1] ~= "sp" then previous = t[2] end
       end
     else line[1] = { "", l } end
-    rows[#rows + 1] = html and Code.line_html(db, line, here) or
-      "\\wL" .. ((n <= 2 or n == last - 1 or n == last - 2) and n < last and "N" or "") .. "{" .. Code.line_tex(db, line) .. "}"
+    rows[#rows + 1] = html and Code.line_html(db, line, here) or "\\wL" .. glue[n] .. "{" .. Code.line_tex(db, line) .. "}"
   end
   for l in (el.text .. "\n"):gmatch("([^\n]*)\n") do
     if (utf8.len(l) or #l) > 92 then fail("%s: a line of a block has %d columns; the book's page holds 92: %s -- break it", mine.file, utf8.len(l) or #l, l) end

@@ -46,8 +46,8 @@ static void figure_world_three(wfDraw *d, const wfFigureInput *in)
     if (wfWorldSize(&def, &size[0], &size[1]) != WF_OK) return;
     const wfRegion *last = &region[WF_REGION_HITS];
     size_t all = last->offset + last->count * last->each;
-    float scale = 5.5f / (float)all, y = 8.25f;
-    for (int i = 0; i <= WF_REGION_HITS; i++, y -= 0.35f) {
+    float scale = 5.5f / (float)all, y = 8.25f, row = 7.9f / (WF_REGION_HITS + 1);
+    for (int i = 0; i <= WF_REGION_HITS; i++, y -= row) {
         const wfRegion *r = &region[i];
         size_t next = i < WF_REGION_HITS ? region[i + 1].offset : all;
         /* draw one array of the small block */

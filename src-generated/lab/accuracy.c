@@ -138,27 +138,16 @@ static void ball_at(double t, double at[2])
     for (t += fall; t > 2 * fall; ) t -= 2 * fall;
     at[0] = 0, at[1] = 1.5 - GRAVITY / 2 * (t - fall) * (t - fall);
 }
-
-static void flight_course(int fine, labCourse out)
-{
-    (void)fine;
-    formula_course(flight_at, out);
-}
-static void slide_course(int fine, labCourse out)
-{
-    (void)fine;
-    formula_course(slide_at, out);
-}
-static void roll_course(int fine, labCourse out)
-{
-    (void)fine;
-    formula_course(roll_at, out);
-}
-static void ball_course(int fine, labCourse out)
-{
-    (void)fine;
-    formula_course(ball_at, out);
-}
+#define FORMULA(name) \
+    static void name##_course(int fine, labCourse out) \
+    { \
+        (void)fine; \
+        formula_course(name##_at, out); \
+    }
+FORMULA(flight)
+FORMULA(slide)
+FORMULA(roll)
+FORMULA(ball)
 
 static void stack_course(int fine, labCourse out)
 {

@@ -17,6 +17,7 @@ typedef struct labTall {
     wfContact    contact[TALL_CONTACTS], before[TALL_CONTACTS];
     wfJoint      joint[40];
     int          count, contacts, reach, joints, work;
+    uint32_t     random;
     wfReal       friction;
     wfSolveReport report;
     _Alignas(16) uint8_t memory[1 << 24];
@@ -46,8 +47,16 @@ static void tall_start(int reach)
 {
     memset(&tall, 0, sizeof tall);
     tall.reach = reach;
+    tall.random = 7;
     tall.friction = WF_R(0.6);
     tall_box(0, -1, 1000, 2, 0);
+}
+
+/* from 0 to below 1, always the same ones after tall_start */
+static double tall_random(void)
+{
+    tall.random = tall.random * 1664525u + 1013904223u;
+    return (double)(tall.random >> 8) / 16777216;
 }
 
 /* not if a joint ties them: what hangs together overlaps there and must not push */
@@ -112,13 +121,9 @@ static double tall_run(int steps)
 /* askew, always alike: a perfect one would stand in any solver */
 static void tall_tower(int boxes, double top)
 {
-    uint32_t random = 7;
     tall_start(1);
-    for (int i = 0; i < boxes; i++) {
-        random = random * 1664525u + 1013904223u;
-        double aside = 0.01 * ((double)(random >> 8) / 8388608 - 1);
-        tall_box(aside, i + 0.5, 1, 1, i == boxes - 1 ? top : 1);
-    }
+    for (int i = 0; i < boxes; i++)
+        tall_box(0.01 * (2 * tall_random() - 1), i + 0.5, 1, 1, i == boxes - 1 ? top : 1);
 }
 
 static void tall_pyramid(int base)
@@ -317,17 +322,13 @@ static double tall_energy(void)
 
 static void tall_heap(double friction)
 {
-    uint32_t random = 7;
     double number[4];
     tall_start(60);
     tall.friction = (wfReal)friction;
     tall_box(-4, 5, 2, 14, 0);
     tall_box(4, 5, 2, 14, 0);
     for (int i = 0; i < 40; i++) {
-        for (int k = 0; k < 4; k++) {
-            random = random * 1664525u + 1013904223u;
-            number[k] = (double)(random >> 8) / 16777216;
-        }
+        for (int k = 0; k < 4; k++) number[k] = tall_random();
         int box = tall_box(4 * number[0] - 2, 1 + 0.9 * i, 0.5 + 0.5 * number[1],
                            0.5 + 0.5 * number[2], 1);
         tall.state[box].angle = (wfReal)(6 * number[3]);
@@ -484,14 +485,10 @@ static int measure_exact_ties(FILE *out)
 }
 static void tall_crowd(int boxes)
 {
-    uint32_t random = 7;
     double number[3];
     tall_start(boxes + 1);
     for (int i = 0; i < boxes; i++) {
-        for (int k = 0; k < 3; k++) {
-            random = random * 1664525u + 1013904223u;
-            number[k] = (double)(random >> 8) / 16777216;
-        }
+        for (int k = 0; k < 3; k++) number[k] = tall_random();
         int box = tall_box(2 * number[0], 1 + 2 * number[1], 0.5, 0.5, 1);
         tall.state[box].angle = (wfReal)(6 * number[2]);
     }

@@ -19,6 +19,12 @@ static void open_scene(const labScene *s)
             "\"timeStep\":%.17g},\n\"bodies\":[\n", s->origin, -s->gravity, s->dt);
 }
 
+/* gravity, friction, the number of steps, and after how many of them a row is written */
+static void under_gravity(labScene *s, double friction, int steps, int every)
+{
+    s->gravity = 10, s->friction = friction, s->steps = steps, s->every = every;
+}
+
 static void put_corners(const labScene *s, const double *corner)
 {
     fputs("\"shapes\":[{\"kind\":\"polygon\",\"vertices\":[", s->file);
@@ -405,10 +411,7 @@ static void put_slope(labScene *s, double slope, const Put *body)
 
 static void build_hold(labScene *s, double slope)
 {
-    s->gravity = 10;
-    s->friction = 1.1 * slope;
-    s->steps = 600;
-    s->every = 30;
+    under_gravity(s, 1.1 * slope, 600, 30);
     put_slope(s, slope, &(Put){ .width = 1, .height = 0.25, .density = 1 });
 }
 
@@ -444,10 +447,7 @@ static void judge_slip(const labTrace *t, double share, double *error, double *h
 /* rolling needs a third of the slope; with 2 no engine can slip by right */
 static void build_roll(labScene *s, double slope)
 {
-    s->gravity = 10;
-    s->friction = 2;
-    s->steps = 120;
-    s->every = 10;
+    under_gravity(s, 2, 120, 10);
     put_slope(s, slope, &(Put){ .radius = 0.5, .density = 1 });
 }
 
@@ -593,10 +593,7 @@ static void put_stone(labScene *s, double in, double out, int i)
 static void build_arch(labScene *s, double share)
 {
     double thick = share * arch_limit();
-    s->gravity = 10;
-    s->friction = 0.8;
-    s->steps = 600;
-    s->every = 30;
+    under_gravity(s, 0.8, 600, 30);
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
     for (int i = 0; i < 20; i++) put_stone(s, 5 * (1 - thick / 2), 5 * (1 + thick / 2), i);
@@ -621,10 +618,7 @@ static void build_cards(labScene *s, double storeys)
     const double thick = 0.02, lean = 25 * 3.141592653589793 / 180;
     double high = cos(lean) + thick * sin(lean), wide = sin(lean) + thick * cos(lean);
     double pitch = 2 * wide + thick, z = 0;
-    s->gravity = 10;
-    s->friction = 0.7;
-    s->steps = 600;
-    s->every = 30;
+    under_gravity(s, 0.7, 600, 30);
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
     /* lay the storeys of a card house */
@@ -734,9 +728,7 @@ enum { FALLING = 10 };                  /* boxes */
 
 static void build_falling(labScene *s, double gap)
 {
-    s->gravity = 10;
-    s->friction = 0.6;
-    s->steps = 600;
+    under_gravity(s, 0.6, 600, 1);
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
     for (int i = 0; i < FALLING; i++)
@@ -784,10 +776,7 @@ static void judge_size(const labTrace *t, double side, double *error, double *ha
 static void build_overhang(labScene *s, double n)
 {
     double x = 0;
-    s->gravity = 10;
-    s->friction = 0.6;
-    s->steps = 600;
-    s->every = 60;
+    under_gravity(s, 0.6, 600, 60);
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
     for (int i = 0; i < (int)n; i++) {
@@ -806,9 +795,7 @@ static void judge_overhang(const labTrace *t, double n, double *error, double *h
 static void build_chain(labScene *s, double ratio)
 {
     int last = 0;
-    s->gravity = 10;
-    s->steps = 300;
-    s->every = 30;
+    under_gravity(s, 0, 300, 30);
     open_scene(s);
     put(s, &(Put){ .y = 1, .width = 1, .height = 1, .mask = 2 });
     for (int i = 0; i < 10; i++)

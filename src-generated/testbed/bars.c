@@ -201,6 +201,7 @@ static void bar_room(bar *b, float w)
 bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
 {
     float w = (ui_has_icon(name) ? 22 : 16) + wfTextWidth(&wfBakedFont, 13, name);
+    if (b->terse && ui_has_icon(name)) w = UI_ICON;
     bar_room(b, w);
     bool hit = ui_button(u, name, b->x, b->y, w, on);
     ui_tip(u, name, text, b->x, b->y, w, 24);

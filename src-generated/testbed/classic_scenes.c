@@ -463,7 +463,10 @@ static wfResult build_trial(wfWorld *world)
 /* A little world after so many steps of one solver; its error if it has come to grief. */
 static wfResult run_trial(int solver, int passes, int steps, wfWorld *out)
 {
+    static _Alignas(WF_POOL_ALIGN) uint8_t kept[1 << 18], scratch[1 << 21];
     wfWorldDef def = wfDefaultWorldDef();
+    def.memory = (wfMemory){ .permanent = kept, .permanentSize = sizeof kept,
+        .transient = scratch, .transientSize = sizeof scratch };   /* all that a page has */
     def.solver = solver;
     def.iterations = passes;
     def.bodyCapacity = 16;

@@ -34,12 +34,13 @@ void game_place_camera(game *g)
 {
     game_state *s = g->state;
     float left = game_list_side(s), right = game_beside(s), k = s->scale;
-    float foot = (s->bare ? 0 : FOOT + TIME_BAR) + game_controls_high(g);
+    float foot = s->bare ? 0 : FOOT + TIME_BAR;
     camera *c = &s->camera;
     c->left = left * k;
     c->top = s->head * k;
     c->wide = (s->width - left - right) * k;
     c->high = (s->height - s->head - foot) * k;
+    game_spare_controls(g, c);
     if (c->high < 16) c->high = 16;
     if (c->wide < 16) c->wide = 16;
     game_take_pane(s, c);
@@ -222,19 +223,37 @@ static void control_button(ui *u, game *g, int i, float x, float y, float w)
         s->grasped = 1 + i;
 }
 
-/* Where the buttons are, units: the first one's corner and their width; and whose. */
-typedef struct control_row { uint32_t all; float x, y, w; } control_row;
+/* Where the buttons are, units: the first one's corner and their width; and whose. With the
+ * scene between them `left' are at its left side, and the others farther on by `apart'. */
+typedef struct control_row { uint32_t all; int left; float n, x, y, w, apart; } control_row;
+
+/* A low picture shows its scene larger between so many buttons than above them. */
+static bool are_beside(const game_state *s, float n)
+{
+    float wide = s->width - game_list_side(s) - game_beside(s), shape = s->camera.shape;
+    float high = s->height - s->head - (s->bare ? 0 : FOOT + TIME_BAR);
+    if (!(shape > 0)) shape = 1.59f;
+    float above = fminf(high - CONTROL_HIGH - CONTROL_GAP, wide / shape);
+    float between = (wide - n * (CONTROL_NARROW + CONTROL_GAP) - 16) / shape;
+    return s->height < LOW && fminf(high, between) > above;
+}
 
 static control_row row_of_controls(const game *g)
 {
     const game_state *s = g->state;
     control_row r = { .y = s->height - CONTROL_HIGH - 4 - (s->bare ? 0 : FOOT + TIME_BAR) };
-    float left = game_list_side(s) + 8, room = s->width - game_beside(s) - left - 8, n = 0;
+    float left = game_list_side(s) + 8, room = s->width - game_beside(s) - left - 8;
     for (int i = 0; i < WF_CONTROLS; i++)
-        if (g->scene->controls[i]) r.all |= 1u << i, n++;
-    r.w = n > 0 ? (room + CONTROL_GAP) / n - CONTROL_GAP : 0;
-    if (r.w > CONTROL_WIDE) r.w = CONTROL_WIDE;
-    r.x = left + (room + CONTROL_GAP - n * (r.w + CONTROL_GAP)) / 2;
+        if (g->scene->controls[i]) r.all |= 1u << i, r.n++;
+    if (!s->opened || r.n < 1 || game_panel_covers(s)) return (control_row){ 0 };
+    bool beside = are_beside(s, r.n);
+    float most = beside ? CONTROL_NARROW : CONTROL_WIDE;
+    r.w = fminf(most, (room + CONTROL_GAP) / r.n - CONTROL_GAP);
+    float rest = room + CONTROL_GAP - r.n * (r.w + CONTROL_GAP);
+    bool deed = r.all & (1u << WF_UP | 1u << WF_ENTER);         /* for the right thumb */
+    r.left = (int)(r.n + deed) / 2;
+    r.x = left + (beside ? 0 : rest / 2);
+    r.apart = beside ? rest : 0;
     return r;
 }
 
@@ -245,9 +264,28 @@ void game_controls(ui *u, game *g)
     if (!u->draw && !u->held) s->grasped = 0;
     for (int i = 0; i < WF_CONTROLS; i++) {
         if (!(r.all >> i & 1)) continue;
+        if (r.left-- == 0) r.x += r.apart;
         control_button(u, g, i, r.x, r.y, r.w);
         r.x += r.w + CONTROL_GAP;
     }
+}
+
+/* How high the row is that the scene stands above, units. */
+float game_controls_high(const game *g)
+{
+    control_row r = row_of_controls(g);
+    return r.n > 0 && r.apart <= 0 ? CONTROL_HIGH + CONTROL_GAP : 0;
+}
+
+/* Of the camera's part of the picture, the row's. */
+void game_spare_controls(const game *g, camera *c)
+{
+    control_row r = row_of_controls(g);
+    float k = g->state->scale, each = (r.w + CONTROL_GAP) * k;
+    c->high -= game_controls_high(g) * k;
+    if (r.apart <= 0) return;
+    c->left += (float)r.left * each + 8 * k;
+    c->wide -= r.n * each + 16 * k;
 }
 
 void game_say_controls(wfWriter *w, const game *g)
@@ -256,9 +294,10 @@ void game_say_controls(wfWriter *w, const game *g)
     control_row r = row_of_controls(g);
     bool covered = s->menu || (!s->bare && game_has_drawer(s));
     double k = (double)s->scale;
-    wfPut(w, "controls %u %u pixel %.1f %.1f %.1f %.1f %.1f\n",
+    wfPut(w, "controls %u %u pixel %.1f %.1f %.1f %.1f %.1f apart %d %.1f\n",
         covered ? 0 : (unsigned)r.all, (unsigned)s->input.held, k * (double)r.x,
-        k * (double)r.y, k * (double)r.w, k * CONTROL_HIGH, k * CONTROL_GAP);
+        k * (double)r.y, k * (double)r.w, k * CONTROL_HIGH, k * CONTROL_GAP, r.left,
+        k * (double)r.apart);
 }
 
 /* obey the keys */

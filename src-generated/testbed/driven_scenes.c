@@ -346,7 +346,7 @@ static const wfScene row[] = {
       .asks = WF_MODULE_QUERIES,
       .controls = { [WF_LEFT] = "left", [WF_RIGHT] = "right", [WF_UP] = "jump" },
       .demo = "RU.lURlRRlUUUUrRRLUUUlRUUUUURRRrRRrRR..................",
-      VIEW(0, 3, 8.4), SHAPE(1.8),
+      VIEW(0, 3, 8.4), SHAPE(2.25),
       PROMISE(-1, 0.25) },
 };
 const wfSceneGroup wfDrivenScenes = { row, sizeof row / sizeof *row };

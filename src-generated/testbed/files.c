@@ -70,6 +70,15 @@ static wfMemory spare_memory(game *g, size_t bytes)
 
 enum { SPARE = 20 * 1024 * 1024 };
 
+/* The row of the scene that a save names, with the one that was brought along; -1: none. */
+static int saved_row(const game *g, const char *name)
+{
+    if (strcmp(name, g->scene->name) == 0) return g->state->row;
+    int row = wfFindScene(name);
+    if (row < 0 && g->text && strcmp(name, g->guest.name) == 0) row = wfSceneCount();
+    return row;
+}
+
 void game_load_world(game *g)
 {
     game_file *f = g->file;
@@ -78,16 +87,17 @@ void game_load_world(game *g)
     wfWorld made;
     wfResult result = WF_ERROR_NOT_A_SAVE;
     memcpy(name, f->bytes, SAVE_HEAD);
-    bool whole = f->size > SAVE_HEAD && memchr(name, 0, SAVE_HEAD);
-    int row = whole ? wfFindScene(name) : -1;
+    bool whole = f->size > SAVE_HEAD && name[0] && memchr(name, 0, SAVE_HEAD);
+    int row = whole ? saved_row(g, name) : -1;
     wfMemory spare = spare_memory(g, SPARE);
-    if (row >= 0)
+    if (whole)
         result = wfLoadFromBytes(f->bytes + SAVE_HEAD, f->size - SAVE_HEAD, &spare, &made);
-    if (result == WF_OK && row != g->state->row) game_open_scene(g, row);
+    if (result == WF_OK && row >= 0 && row != g->state->row) game_open_scene(g, row);
     if (result == WF_OK) result = game_adopt(g, &made);
     wfPoolRewind(&g->scratch, mark);
-    game_tell(g, result != WF_OK,
-              result ? wfResultText(result) : "loaded: the world as it was");
+    game_tell(g, result != WF_OK, result ? wfResultText(result) :
+              row < 0 ? "loaded, into this scene: its own is not here" :
+              "loaded: the world as it was");
 }
 
 void game_press_write(game *g)

@@ -104,7 +104,7 @@ static const wfScene row[] = {
       .build = build_net, VIEW(0, 0.5, 10), PROMISE(1, 0.2) },
     { .category = "Forces", .name = "buoyancy", .chapter = "forces",
       .text = "Densities 0.2, 0.5, 0.9 and 1.5 in water of 1: three pairs float, one sinks.",
-      .build = build_buoyancy, VIEW(0, -1, 8), SHAPE(1.75), PROMISE(0.5, 0.15) },
+      .build = build_buoyancy, VIEW(0, -1, 8), SHAPE(2.2), PROMISE(0.5, 0.15) },
     { .category = "Forces", .name = "wind", .chapter = "forces",
       .text = "A wind of 5 m/s, no weight: green bodies are light, blue ones heavy.",
       .define = without_gravity, .build = build_wind, VIEW(0, 3.5, 9),

@@ -82,6 +82,7 @@ typedef struct game_state {
     int32_t no_legend;                  /* 1: none stands on the picture */
     double empty;                       /* s since the last body has left */
     float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
+    int32_t narrow, wide[3];            /* less than LIST_ROOM; list, tools, panel with more */
     int32_t quiet;                      /* frames in which nothing has happened */
     int32_t most, made;                 /* steps in a frame, at most; in the last one */
     double wall, passed, pace; /* s on the wall, in the world; the share of the last second */
@@ -197,7 +198,6 @@ wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
 bool game_drives(const game *g, uint32_t bit);          /* this key drives the scene */
 bool game_drives_any(const game *g);
-float game_controls_high(const game *g);                /* units: of the row below */
 void game_find_held(game *g);
 bool game_goes_along(const game_state *s, int i);
 void game_begin_others(game *g);

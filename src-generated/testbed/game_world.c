@@ -116,13 +116,6 @@ bool game_drives(const game *g, uint32_t bit)
 
 bool game_drives_any(const game *g) { return controls_of(g->scene) != 0; }
 
-float game_controls_high(const game *g)
-{
-    const game_state *s = g->state;
-    bool has = s->opened && s->height >= LOW && controls_of(g->scene);
-    return has ? CONTROL_HIGH + CONTROL_GAP : 0;
-}
-
 /* What is held at this step: by a key, by a tap within the frame, or by a button. */
 void game_find_held(game *g)
 {

@@ -12,9 +12,10 @@ enum { KEPT_CURVES = -8, KEPT_OVERLAYS = -9 };      /* a bit for each row of a t
 
 static const kept_number kept_table[] = {
     { "dark", FLAG(dark), 1 }, { "letters", FLAG(letters), UI_SIZES - 1 },
-        { "list", FLAG(list), 1 }, { "tools", FLAG(bar), 1 }, { "ends", FLAG(ends), 1 },
+        { "list", FLAG(wide[0]), 1 }, { "tools", FLAG(wide[1]), 1 },
+    { "ends", FLAG(ends), 1 },
     { "legend-not", FLAG(no_legend), 1 },
-    { "panel", FLAG(panel), 1 }, { "tab", FLAG(tab), -1 },
+    { "panel", FLAG(wide[2]), 1 }, { "tab", FLAG(tab), -1 },
     { "tool", FLAG(tools.tool), -2 }, { "shape", FLAG(tools.choice[TOOL_SHAPE]), -3 },
     { "stuff", FLAG(tools.choice[TOOL_STUFF]), -4 },
     { "type", FLAG(tools.choice[TOOL_TYPE]), -5 },
@@ -82,6 +83,7 @@ static bool read_settings(game_state *s, const char *at, size_t size)
     while (at && at < end) at = read_line(at, end, value);
     for (int i = 0; at && i < KEPT; i++)
         memcpy((uint8_t *)s + kept_table[i].where, &value[i], sizeof *value);
+    s->narrow = 1;                                  /* a wide window takes them now */
     s->curves &= (1 << WF_PLOT_BODY) - 1;          /* of which body would the others be? */
     return at != NULL;
 }

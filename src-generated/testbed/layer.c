@@ -321,15 +321,16 @@ static int32_t button_key(const layer *l, float x, float y)
     static const int32_t key[] = { GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
                                    GAME_KEY_DOWN, GAME_KEY_ENTER };
     char text[1 << 16];
-    unsigned bits = 0, held;
-    float left, top, wide, high, gap;
+    unsigned bits = 0, held, near;
+    float left, top, wide, high, gap, apart;
     l->code.describe(&l->memory, text, sizeof text);
     const char *line = strstr(text, "\ncontrols ");
-    if (!line || sscanf(line, "\ncontrols %u %u pixel %f %f %f %f %f", &bits, &held, &left,
-                        &top, &wide, &high, &gap) != 7) return 0;
+    if (!line || sscanf(line, "\ncontrols %u %u pixel %f %f %f %f %f apart %u %f", &bits,
+                    &held, &left, &top, &wide, &high, &gap, &near, &apart) != 9) return 0;
     if (y < top || y >= top + high) return 0;
     for (int k = 0; k < 5; k++) {
         if (!(bits & 1u << k)) continue;
+        if (near-- == 0) left += apart;
         if (x >= left && x < left + wide) return key[k];
         left += wide + gap;
     }

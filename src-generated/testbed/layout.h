@@ -11,6 +11,6 @@ enum { LOW = 420 };                     /* lower windows go without that name an
 enum { SETTINGS_WIDTH = 290 };          /* of the panel at the right */
 enum { LIST_ROOM = 800 };               /* in narrower windows the list is a drawer */
 /* a button of a driven scene, and the way to the next one */
-enum { CONTROL_HIGH = 46, CONTROL_WIDE = 92, CONTROL_GAP = 6 };
+enum { CONTROL_HIGH = 46, CONTROL_WIDE = 92, CONTROL_NARROW = 74, CONTROL_GAP = 6 };
 enum { UI_SIZES = 6 };                  /* of letters and buttons */
 #endif

@@ -52,8 +52,8 @@ void game_offer(ui *u, game *g, float x)
         { "Take one out", "the lowest body that can move", take_lowest },
         { "Tilt", "down is a bit to the right; again: back", tilt } };
     game_state *s = g->state;
-    float y = s->height - FOOT - TIME_BAR - 32;
-    bar b = { x, s->width - 8 - game_beside(s), x, y };
+    float y = s->height - FOOT - TIME_BAR - 32 - game_controls_high(g);
+    bar b = { x, s->width - 8 - game_beside(s), x, y, false };
     for (int i = 0; i < 3; i++) {
         if (!bar_button(u, &b, offer[i].name, false, offer[i].text)) continue;
         offer[i].act(g);

@@ -14,6 +14,11 @@ float game_beside(const game_state *s)
     return s->panel && !s->bare && left >= 200 ? SETTINGS_WIDTH : 0;
 }
 
+bool game_panel_covers(const game_state *s)
+{
+    return s->panel && !s->bare && game_beside(s) <= 0;
+}
+
 static bool panel_shows(const game *g, float y, float h)
 {
     return y >= g->panel_top && y + h <= g->panel_bottom;
@@ -309,7 +314,8 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     tool_forget(&t);
     wfBodyId id = t.memory->count ? t.memory->chosen[0] : (wfBodyId){ 0, 0 };
     if (!game_body_numbers(g, id, &b, n)) {
-        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1, "Click a body, or press N.");
+        ui_text(u, x, y + 15, 13, WF_INK_LINE, -1,
+                g->state->finger ? "Touch a body." : "Click a body, or press N.");
         return y + UI_LINE;
     }
     char text[80];
@@ -695,7 +701,7 @@ void game_settings_panel(ui *u, game *g)
     game_state *s = g->state;
     float x = u->width - SETTINGS_WIDTH + 12, w = SETTINGS_WIDTH - 24;
     float bottom = u->height - FOOT;
-    bar tabs = { x, x + w, x, s->head + 6 };
+    bar tabs = { x, x + w, x, s->head + 6, false };
     ui_box(u, x - 12, s->head, SETTINGS_WIDTH + 2, bottom - s->head, WF_INK_FAINT,
            WF_INK_PAPER);
     for (int i = 0; i < PANELS; i++)

@@ -17,7 +17,7 @@ typedef struct button_row {
 
 #define FLAG(field) offsetof(game_state, field)
 /* Where the next button of a bar goes: from left to right, and then a row lower. */
-typedef struct bar { float left, right, x, y; } bar;
+typedef struct bar { float left, right, x, y; bool terse; } bar;   /* terse: icons alone */
 enum { B_MASS, B_DENSITY, B_BOUNCE, B_FRICTION, B_DRAG, B_SPIN_DRAG, B_VX, B_VY, B_SPIN,
        BODY_LINES };
 /* files: the card is at home; it is sent; what came with it is taken */
@@ -54,6 +54,7 @@ void game_body_menu(ui *u, game *g);
 void game_plot_body(game *g, wfBodyId id);
 /* panels */
 float game_beside(const game_state *s);
+bool game_panel_covers(const game_state *s);            /* it lies over the scene */
 bool game_has_drawer(const game_state *s);
 float game_list_side(const game_state *s);
 float game_finger_way(const ui *u, const game *g);
@@ -71,6 +72,8 @@ void game_obey_mouse(game *g, bool over);
 void game_obey_mark(game_state *s, game_input *in);
 void game_obey_key(game *g, int32_t key);
 void game_controls(ui *u, game *g);
+float game_controls_high(const game *g);                /* units: of the row below */
+void game_spare_controls(const game *g, camera *c);
 void game_say_controls(wfWriter *w, const game *g);
 void game_draw_mark(ui *u, const game_state *s);
 WF_APART float game_card(ui *u, game *g, float x);

@@ -3,6 +3,8 @@
 #include <string.h>
 #include "testbed/scene_file.h"
 
+wfTextOfWorldFn *wfWriteSceneElsewhere;
+
 static wfResult read_scene(const char *text, const wfMemory *memory, wfWorld *out,
                            wfSceneInfo *info, wfTextError *error)
 {
@@ -58,8 +60,10 @@ wfResult wfTextOfWorld(const wfWorld *world, const wfSceneInfo *info, char *out,
                        size_t capacity, size_t *size)
 {
 #ifdef WF_NO_JSON
-    (void)world, (void)info, (void)out, (void)capacity, (void)size;
-    return WF_ERROR_TEXT;
+    *size = 0;
+    return wfWriteSceneElsewhere
+               ? wfWriteSceneElsewhere(world, info, out, capacity, size)
+               : WF_ERROR_TEXT;
 #else
     char *text;
     wfResult result = wfWriteScene(world, info, &text);

@@ -16,4 +16,8 @@ wfResult wfWorldOfText(const char *text, size_t length, const wfMemory *memory,
                        wfWorld *out, wfTextError *error);
 wfResult wfTextOfWorld(const wfWorld *world, const wfSceneInfo *info, char *out,
                        size_t capacity, size_t *size);
+/* The same without cJSON: bytes of which a platform has the text made. Or NULL. */
+typedef wfResult wfTextOfWorldFn(const wfWorld *world, const wfSceneInfo *info, char *out,
+                                 size_t capacity, size_t *size);
+extern wfTextOfWorldFn *wfWriteSceneElsewhere;
 #endif

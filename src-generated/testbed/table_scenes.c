@@ -268,7 +268,7 @@ static const wfScene row[] = {
       .define = on_top, .build = build_pool, .update = play_pool, .draw = draw_pool,
       .controls = { [WF_LEFT] = "turn left", [WF_RIGHT] = "turn right",
                     [WF_DOWN] = "draw back" },
-      .demo = "..DDDDDD....................................", VIEW(0, -0.4, 6.2),
+      .demo = "..DDDDDD....................................", VIEW(0, -0.4, 6.2), SHAPE(2.05),
       PROMISE(-1, 0.15) },
     { .category = "Play", .name = "maze", .chapter = "world",
       .text = "A board that leans: gravity is a setting of the world. Roll into the hole.",

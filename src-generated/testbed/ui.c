@@ -231,7 +231,9 @@ bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
     const char *icon = icon_of(name);
     ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            on ? WF_INK_ACCENT : WF_INK_PAPER);
-    draw_icon(u, icon, x + 3, y + 6);
+    bool alone = icon && w <= UI_ICON;
+    draw_icon(u, icon, x + (alone ? w / 2 - 6 : 3), y + 6);
+    if (alone) return ui_area(u, name, x, y, w, 24);
     if (icon) ui_text(u, x + 18, y + 16.5f, 13, WF_INK_TEXT, -1, name);
     else ui_text(u, x + w / 2, y + 16.5f, 13, WF_INK_TEXT, 0, name);
     return ui_area(u, name, x, y, w, 24);

@@ -7,7 +7,7 @@
 #include "testbed/platform.h"
 #include "weft/draw.h"
 
-enum { UI_PLACES = 200, UI_QUERY = 24, UI_LINE = 22 };
+enum { UI_PLACES = 200, UI_QUERY = 24, UI_LINE = 22, UI_ICON = 36 };
 
 /* what an interface remembers */
 typedef struct ui_place { char name[GAME_NAME_SIZE]; float x, y; } ui_place;

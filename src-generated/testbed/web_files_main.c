@@ -2,18 +2,20 @@
  * file: edit the chapter and type make. MIT licence. */
 /* Scenes that are files, in a page: the script brings their worlds. */
 #include <stddef.h>
-#include "testbed/scene.h"
-#include "weft/json.h"
+#include <string.h>
+#include "testbed/scene_file.h"
 #include "weft/save.h"
 
 #define EXPORT(name) __attribute__((export_name(name)))
 static wfResult open_brought(const wfScene *scene, const wfMemory *memory, wfWorld *out);
 #define FILE_SCENE(file) { .category = "Files", .name = file, .text = "a scene in a file", \
     .chapter = "save-and-replay", .open = open_brought, .viewY = 2, .viewHeight = 10 },
+static char guest[40];                  /* the name of a file that the reader has brought */
 static wfScene file_scenes[] = {
 #include "gen/files.h"
-    { .name = NULL } };
-enum { FILES = sizeof file_scenes / sizeof *file_scenes - 1, FILE_ROOM = 1 << 18 };
+    FILE_SCENE(guest) { .name = NULL } };
+enum { FILES = sizeof file_scenes / sizeof *file_scenes - 1, GUEST = FILES - 1,
+       FILE_ROOM = 1 << 18 };
 static struct { size_t size; wfSceneInfo info; uint8_t bytes[FILE_ROOM]; } saves[FILES + 1];
 static ptrdiff_t wanted = FILES;        /* the scene whose world should come; FILES: none */
 
@@ -25,11 +27,39 @@ static wfResult open_brought(const wfScene *scene, const wfMemory *memory, wfWor
     return WF_ERROR_TEXT;
 }
 
+/* What the script has the text made of: the record, and behind it the saved world. */
+static wfResult write_elsewhere(const wfWorld *world, const wfSceneInfo *info, char *out,
+                                size_t capacity, size_t *size)
+{
+    if (capacity < sizeof *info) return WF_ERROR_MEMORY;
+    memcpy(out, info, sizeof *info);
+    wfResult result = wfSaveToBytes(world, out + sizeof *info, capacity - sizeof *info,
+                                    size);
+    *size += sizeof *info;
+    return result;
+}
+
+static wfSceneGroup files = { file_scenes, GUEST };
+
 /* Puts them behind the table. */
 EXPORT("web_bring") void web_bring(void)
 {
-    static const wfSceneGroup files = { file_scenes, FILES };
     wfBroughtScenes = &files;
+    wfWriteSceneElsewhere = write_elsewhere;
+}
+
+/* The reader's own file is what is wanted now. */
+EXPORT("web_guest") void web_guest(void) { wanted = GUEST; }
+
+static void name_guest(const char *name)
+{
+    size_t n = strlen(name);
+    files.count = GUEST;
+    if (n + 8 > sizeof guest) n = sizeof guest - 8;
+    memcpy(guest, n ? name : "a file", n ? n + 1 : 7);
+    guest[n ? n : 6] = 0;
+    if (wfFindScene(guest) >= 0) memcpy(guest + n, " (file)", 8);
+    files.count = FILES;
 }
 
 /* The name of the wanted scene, or NULL; where its save goes, and its record. */
@@ -38,18 +68,21 @@ EXPORT("web_came_bytes") uint8_t *web_came_bytes(void) { return saves[wanted].by
 EXPORT("web_came_room") size_t web_came_room(void) { return FILE_ROOM; }
 EXPORT("web_came_info") wfSceneInfo *web_came_info(void) { return &saves[wanted].info; }
 
-/* They are there, so many bytes; the script opens the scene anew. 0: it can't be had. */
-EXPORT("web_came") void web_came(size_t size)
+/* They are there, so many bytes; the script opens the scene of this name anew. 0: it can't
+ * be had. */
+EXPORT("web_came") const char *web_came(size_t size)
 {
     wfScene *row = &file_scenes[wanted];
     const wfSceneInfo *info = &saves[wanted].info;
     saves[wanted].size = size;
+    if (size && wanted == GUEST) name_guest(info->name);
     wanted = FILES;
-    if (!size) return;
+    if (!size) return NULL;
     row->text = info->text;
     if (info->viewHeight > 0) {
         row->viewX = info->viewX;
         row->viewY = info->viewY;
         row->viewHeight = info->viewHeight;
     }
+    return row->name;
 }

@@ -9,7 +9,7 @@ enum { MOST_WIDTH = 3840, MOST_HEIGHT = 2160, NAME_BYTES = 64 };
 
 _Alignas(64) static uint8_t permanent[GAME_PERMANENT_SIZE], transient[GAME_TRANSIENT_SIZE];
 static uint32_t pixels[MOST_WIDTH * MOST_HEIGHT];
-static char text[1 << 16];
+static char text[1 << 16], news[120];
 static uint8_t file_bytes[GAME_FILE_BYTES];
 static game_file file = { .bytes = file_bytes, .capacity = sizeof file_bytes };
 static game_memory memory = { permanent, sizeof permanent, transient, sizeof transient,
@@ -35,6 +35,7 @@ static void make_frame(frame_buffer *picture, double seconds, int steps)
     input.steps = steps;
     game_update_and_render(&memory, &input, picture);
     game_forget_moment(&input);
+    memory.news = NULL;
 }
 
 static void take(int32_t kind, float x, float y, int32_t code)
@@ -51,6 +52,13 @@ EXPORT("web_set") int web_set(int length, double value)
     if (length < 1 || length >= NAME_BYTES) return 0;
     text[length] = 0;
     return game_set(&memory, text, value);
+}
+
+/* The page says what is in web_name(), with a zero at its end. */
+EXPORT("web_news") void web_news(void)
+{
+    memcpy(news, text, sizeof news - 1);
+    memory.news = news;
 }
 
 /* What leads to this scene and its settings, in web_name(); returns the length. */

@@ -603,6 +603,29 @@ Words below it.
 <<core/b.c>>=
 int wfAgain(void) { return wfHidden(); }
 @
+
+<<core/b.c>>=
+/* A comment
+ * of two lines. */
+int wfSummed(int n)
+{
+    int sum = 0;
+    for (int i = 0; i < n; i++) {
+        sum += i;
+        sum += 2 * i;
+        sum += 3 * i;
+    }
+    sum = sum + plus(1,
+                     2);
+    sum++;
+    return sum;
+}
+
+int wfFirst(void) { return wfSummed(1); }
+int wfSecond(void) { return wfSummed(2); }
+int wfThird(void) { return wfSummed(3); }
+int wfFourth(void) { return wfSummed(4); }
+@
 X
 if weave; then ok "a book with parts that print leaves out"; else bad "a book with parts that print leaves out"; fi
 WEFT_ROOT=$dir tangle/page html one "$dir/out/weave" "$dir/out/html/one.html" >>"$work/log" 2>&1 || bad "page one"
@@ -610,6 +633,7 @@ WEFT_ROOT=$dir tangle/page latex one "$dir/out/weave" "$dir/out/one.tex" >>"$wor
 for w in 'Words of the box' 'Words of the section' 'Words below it' 'static'; do has "$dir/out/html/one.html" "$w" "the page has: $w"; hasnt "$dir/out/one.tex" "$w" "print has not: $w"; done
 has "$dir/out/one.tex" '\wOnline{Checks of the arguments}{4 lines of code, }{one.html, chunk 1.2}' "a box in a line"
 has "$dir/out/one.tex" '\wOnline{\wLabel{sec:one-hidden}\label{on:sec:one-hidden}1.2\enspace Hidden}{1 line of code, }{one.html, section 1.2}' "a section in a line"
+[[ $(grep -oE '^\\wL[A-Z]*\{' "$dir/out/one.tex" | sed 's/^.wL//' | tr -d '\n') == *"N{N{N{N{S{N{D{D{N{S{N{S{N{N{N{G{{N{N{N{"* ]] && ok "where a page may end in code" || bad "where a page may end in code"
 hasnt "$dir/out/one.tex" 'wId{d-wfHidden}' "print has no link to what it leaves out"
 hasnt "$dir/out/one.tex" 'hyperlink{sec:one-deep}' "nor to its sections"
 has "$dir/out/html/one.html" 'class="asm" href="#c-functions-of-a"' "a chunk can be shown assembled"

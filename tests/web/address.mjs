@@ -94,7 +94,7 @@ await page.until('scene', 'stack of boxes');
 await page.until('bodies', bodies);
 await page.evaluate(() => { const g = document.getElementById('testbed').game; g.open('dominoes'); g.frame(0, 0); g.key(112); g.frame(0, 0); });
 const still = await page.tell('hash');
-for (const [name, letters, said] of [['half.save', world.slice(0, 400), /bytes|save/], ['empty.save', '', /save/], ['a.json', btoa('{}'), /program/], ['a.rube', '', /export/], ['a.png', '', /neither/]]) {
+for (const [name, letters, said] of [['half.save', world.slice(0, 400), /bytes|save/], ['empty.save', '', /save/], ['a.json', btoa('{}'), /a.json: line 1/], ['a.rube', '', /export/], ['a.png', '', /neither/]]) {
   await drop(page, name, letters);
   check(said.test(await page.tell('said')), `${name}: ${await page.tell('said')}`);
   check(await page.tell('hash') === still, `${name}: the world is another`);

@@ -1,4 +1,5 @@
-// drive.mjs: scenes that are driven on a telephone: two fingers on two buttons, one that holds a body beside one on a button, and tilt.
+// drive.mjs: scenes that are driven on a telephone: two fingers on two buttons, one that holds a body beside one on a button, tilt; and what
+// all of them show at first lies beside the buttons or above them, and nowhere under them.
 //   node tests/web/drive.mjs build/book/html          needs playwright-core (tests/web/run.sh brings it)
 import { join } from 'node:path';
 import { browser, check, end, html } from './browser.mjs';
@@ -84,6 +85,36 @@ for (const [name, width, height] of [['upright', 390, 844], ['lying', 844, 390]]
   same(await hills.fact('held'), '0', `${name}: the car, taken while driving`);
   await hills.up(1); await hills.up(2);
   await hills.close();
+
+  // -- every driven scene is seen whole, with no button over it; where Settings or the list lie over it, there are no buttons
+  const all = await open('race car'), pixels = await all.locator('#testbed').evaluate(c => c.width / c.getBoundingClientRect().width);
+  let driven = 0;
+  await all.evaluate(async () => { const { game } = document.getElementById('testbed'); game.stop(); await game.more(); });
+  for (let scene = ''; scene !== 'race car'; ) {       // once around, by ]
+    const told = await all.evaluate(() => { const { game } = document.getElementById('testbed'); game.key(93); for (let i = 0; i < 3; i++) game.frame(0, 0); return game.describe(); });
+    scene = told.match(/^scene (.*)$/m)[1];
+    if (scene === 'none') { await all.waitForTimeout(50); continue; }
+    const row = told.match(/^controls ([1-9]\d*) \d+ pixel (\S+) (\S+) (\S+) (\S+) (\S+) apart (\d+) (\S+)$/m);
+    if (!row) continue;
+    driven++;
+    const [bits, x, y, w, h, gap, near, apart] = row.slice(1).map(Number), n = [1, 2, 4, 8, 16].filter(b => bits & b).length;
+    const buttons = [...Array(n).keys()].map(i => [x + i * (w + gap) + (i < near ? 0 : apart), y]);
+    const canvas = await all.locator('#testbed').evaluate(c => [c.width, c.height]), head = Math.max(...['List', 'Settings'].map(label => +told.match(new RegExp(`^widget ${label} pixel \\S+ (\\S+)$`, 'm'))[1]));
+    check(buttons[0][0] >= 0 && buttons[n - 1][0] + w <= canvas[0] && w >= 44 * pixels && h >= 44 * pixels, `${scene} ${name}: buttons of ${w / pixels} x ${h / pixels} px`);
+    check(name === 'upright' ? apart === 0 : apart > 0 || near === n, `${scene} ${name}: the buttons are ${apart} apart`);
+    for (const [, body, bx, by] of told.matchAll(/^body (\d+) .* pixel (\S+) (\S+)$/mg)) {
+      const along = told.match(/^follow (.*)$/m)[1];    // whose scene is longer than any picture
+      if (+along >= 0 && along !== body) continue;
+      check(+bx > 0 && +bx < canvas[0] && +by > head && +by < y + h, `${scene} ${name}: body ${body} is at ${bx}, ${by} in a picture of ${canvas}`);
+      check(!buttons.some(([left, top]) => +bx > left - 1 && +bx < left + w + 1 && +by > top - 1 && +by < top + h + 1), `${scene} ${name}: body ${body} is under a button`);
+    }
+  }
+  check(driven > 12, `${driven} driven scenes`);
+  await all.evaluate(() => { const { game } = document.getElementById('testbed'); game.open('race car'); game.frame(0, 0); game.key(115); for (let i = 0; i < 3; i++) game.frame(0, 0); });
+  const under = await all.tell(), panel = under.includes('\nwidget World pixel');
+  check(panel && (name === 'upright' ? !/^widget gas /m.test(under) && /^controls 0 /m.test(under) : /^widget gas /m.test(under)), `${name}: the buttons with the panel open`);
+  if (name === 'lying') check(+under.match(/^widget gas pixel (\S+)/m)[1] < +under.match(/^widget World pixel (\S+)/m)[1] - 40, `${name}: gas lies over the panel`);
+  await all.close();
 
   // -- tilt: no button before the sensor has spoken; beyond 12 degrees held, below 7 let go; both ways where there are words for both
   const tilted = await open('race car'), button = tilted.getByRole('button', { name: 'Tilt' });

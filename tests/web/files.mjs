@@ -2,13 +2,15 @@
 //   node tests/web/files.mjs build/book/html build/bin/weft-headless          needs playwright-core (tests/web/run.sh brings it)
 import { readdirSync, readFileSync } from 'node:fs';
 import { execFileSync } from 'node:child_process';
+import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { browser, check, end, html } from './browser.mjs';
 const headless = process.argv[3], STEPS = 60;
 const files = readdirSync('testbed/scenes').filter(f => f.endsWith('.json') && !f.endsWith('.schema.json')).map(f => 'testbed/scenes/' + f);
 const same = (a, b, text) => check(a === b, `${text}: ${a}, and not ${b}`);
+const visit = await browser.newContext({ viewport: { width: 1100, height: 760 } });
 const open = async hash => {
-  const page = await browser.newPage({ viewport: { width: 1100, height: 760 } });
+  const page = await visit.newPage();
   page.loaded = 0;
   page.on('request', r => { if (r.url().endsWith('live-json.js')) page.loaded++; });
   page.on('console', m => { if (m.type() === 'error') check(false, `${hash}: the console says: ${m.text()}`); });
@@ -17,7 +19,7 @@ const open = async hash => {
   return page;
 };
 const shows = (page, name) => page.waitForFunction(name => { const c = document.getElementById('testbed'); return c.game && c.game.describe().startsWith('scene ' + name + '\n'); }, name, { timeout: 20000 })
-  .then(() => true, () => check(false, `${name} does not open`));
+  .then(() => true, async () => check(false, `${name} does not open, but ${await fact(page, 'scene')}`));
 const fact = (page, label) => page.evaluate(label => (document.getElementById('testbed').game.describe().match(new RegExp(`^${label} (.*)$`, 'm')) || ['', ''])[1], label);
 
 // by hand: in the list, opened, stepped
@@ -53,8 +55,70 @@ await told.waitForTimeout(1500);
 check(+await fact(told, 'steps') > 10, `seesaw makes ${await fact(told, 'steps')} steps`);
 check((await told.evaluate(() => location.hash)).startsWith('#scene=seesaw'), `the address says ${await told.evaluate(() => location.hash)}`);
 
-// the page writes no JSON, and says what else keeps the world
-await told.evaluate(async () => { const g = document.getElementById('testbed').game; await g.more(); g.key(117); for (let i = 0; i < 4; i++) g.frame(0, 0); });
-same(await fact(told, 'said'), 'this testbed was built without JSON: save the world instead', 'U in the page');
+// a save of it is loaded again, also by a page in which its file was not read yet: at its step, and in its own scene
+const until = (page, said) => page.waitForFunction(said => document.getElementById('testbed').game.describe().includes('\nsaid ' + said), said, { timeout: 20000 }).catch(async () => check(false, `it says: ${await fact(page, 'said')}, and not ${said}`));
+const press = (page, key) => page.evaluate(async key => { const g = document.getElementById('testbed').game; await g.more(); g.key(key.charCodeAt(0)); }, key);
+await press(told, 'p');
+await told.waitForTimeout(200);
+const hash = await fact(told, 'hash');
+await press(told, 'w');
+await until(told, 'kept: world.save');
+for (const begun of ['#scene=seesaw', '#scene=pyramid']) {
+  const later = await open(begun);
+  await shows(later, begun.slice(7));
+  await press(later, 'p');
+  await press(later, 'a');
+  await until(later, 'loaded: the world as it was');
+  await later.waitForTimeout(1500);
+  same(await fact(later, 'scene'), 'seesaw', `a save, loaded in ${begun}`);
+  same(await fact(later, 'hash'), hash, `a save, loaded in ${begun}: the hash`);
+  await later.close();
+}
+
+// the page writes a scene as text, which the program reads; and it reads one, by a file chooser and by a drop: the same world
+const [sent] = await Promise.all([told.waitForEvent('download'), press(told, 'u')]);
+same(sent.suggestedFilename(), 'scene.json', 'the name of the file');
+const written = join(tmpdir(), `weft-${process.pid}.json`);
+await sent.saveAs(written);
+await until(told, 'kept: scene.json');
+const text = readFileSync(written, 'utf8'), now = execFileSync(headless, ['--hash', written, '--steps', '9'], { encoding: 'utf8' }).trim().split(' ').pop();
+same(JSON.parse(text).name, 'seesaw', 'the name in the file');
+const nine = (page, what) => page.evaluate(() => { const { game } = document.getElementById('testbed'); game.stop(); if (/^paused 1$/m.test(game.describe())) game.key(112); game.key(114); game.frame(0, 0); game.frame(0, 9); return game.describe().match(/^hash (.*)$/m)[1]; }).then(h => same(h, now, `${what}: the hash after nine steps`));
+const [chooser] = await Promise.all([told.waitForEvent('filechooser'), press(told, 'z')]);
+await chooser.setFiles(written);
+await shows(told, 'seesaw (file)');
+await nine(told, 'chosen');
+const drop = (page, name, text) => page.evaluate(([name, text]) => {
+  const data = new DataTransfer();
+  data.items.add(new File([text], name));
+  dispatchEvent(new DragEvent('drop', { dataTransfer: data, cancelable: true }));
+}, [name, text]);
+const bare = await open('#scene=pyramid');
+await shows(bare, 'pyramid');
+await drop(bare, 'mine.json', text.replace('"seesaw"', '"my own"'));
+await shows(bare, 'my own');
+await nine(bare, 'dropped');
+await press(bare, 'w');
+await bare.evaluate(() => document.getElementById('testbed').game.run());
+await until(bare, 'kept: world.save');
+await bare.evaluate(() => document.getElementById('testbed').game.open('pyramid'));
+await shows(bare, 'pyramid');
+await press(bare, 'p');
+await press(bare, 'a');
+await until(bare, 'loaded: the world as it was');
+same(await fact(bare, 'scene'), 'my own', 'a save of what was dropped');
+same(await fact(bare, 'hash'), now, 'a save of what was dropped: the hash');
+await bare.close();
+const anew = await open('#scene=pyramid');              // where its scene is not
+await shows(anew, 'pyramid');
+await press(anew, 'p');
+await press(anew, 'a');
+await until(anew, 'loaded, into this scene');
+same(await fact(anew, 'hash'), now, 'a save whose scene is not here: the hash');
+await drop(anew, 'bad.json', '{"name": 3,');
+await until(anew, 'bad.json: line 1');
+await drop(anew, 'empty.json', '');
+await until(anew, 'empty.json: line');
+await anew.close();
 await told.close();
 await end();
