@@ -210,12 +210,9 @@ wfResult wfMoveMover(const wfWorld *world, wfMover *m, wfReal seconds)
     if (result != WF_OK) return result;
     wfReal slope = m->steepest, ledge = m->stepHeight, most = WF_IMPACT_FAR;
     wfVec2 ride = wfScale(seconds, carried(&w)), by = wfScale(seconds, m->velocity);
-    if (!wfIsFinite2(m->up) || !wfIsFinite(slope) || !wfIsFinite(ledge))
-        return WF_ERROR_NOT_FINITE;
-    if (!(wfAbs(wfLength(m->up) - 1) < WF_R(1e-3)) || slope < 0 || slope > WF_PI
-        || ledge < 0 || ledge > most) return WF_ERROR_RANGE;
-    if (!(seconds > 0 && wfLength(by) < most && wfLength(ride) < most))
-        return WF_ERROR_RANGE;
+    if (!(wfAbs(wfLength(m->up) - 1) < WF_R(1e-3) && slope >= 0 && slope <= WF_PI
+          && ledge >= 0 && ledge < most && seconds > 0 && wfLength(by) < most
+          && wfLength(ride) < most)) return WF_ERROR_RANGE;
     w.solid = solid_shapes(&w.b);
     bool walled = false;
     w.gap = WF_R(0.013) * wfShapeMaxExtent(&m->shape);

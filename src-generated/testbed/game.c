@@ -17,7 +17,7 @@ static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
     float x = game_list_side(s) + 16, mouse = u->x;
-    bar b = { x, s->width - 8, x, 10 };
+    bar b = { x, s->width - 8, x, 10, s->height < LOW && s->width < LIST_ROOM };
     if (s->bare) {
         s->head = 0;
         if (s->opened && game_drives_any(g)) game_controls(u, g);
@@ -35,6 +35,9 @@ static void interface(ui *u, game *g, double seconds)
     if (s->list && !drawer) game_list_panel(u, g);
     if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
+    float rest = b.right - b.x - 6;
+    if (b.terse) ui_fitted(u, b.x + 6, b.y + 16, WF_INK_TEXT, rest, g->scene->name);
+    b.terse = false;
     if (s->bar) game_tool_bar(u, g, &b);
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
     /* name the scene */
@@ -47,12 +50,13 @@ static void interface(ui *u, game *g, double seconds)
                                  g->scene->text) - 7;
     }
     if (s->challenge) s->head += game_card(u, g, x);
-    else if (s->calm > 6) game_offer(u, g, x);
+    else if (s->calm > 6 && !game_panel_covers(s)) game_offer(u, g, x);
+    bool covered = game_panel_covers(s);
     game_state_line(u, g, x);
     game_time_bar(u, g);
     if (s->opened && game_drives_any(g)) game_controls(u, g);
     if (s->keys) game_key_sheet(u, s, x);
-    if (s->hint && !s->keys)                            /* the sheet may lie there */
+    if (s->hint && !s->keys && !covered)                /* the sheet may lie there */
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
                 s->height - FOOT - TIME_BAR - 14 - game_controls_high(g), 16,
                 WF_INK_ACCENT, 0,
@@ -107,7 +111,8 @@ static void begin_game(game *g)
     s->begun = 1;
     s->size = sizeof *s;
     s->rate = 1;
-    s->list = s->bar = s->width >= LIST_ROOM;
+    s->narrow = s->width < LIST_ROOM;
+    s->list = s->bar = !s->narrow;
     s->head = HEAD;
     s->row = -1;
     if (g->text) wfCheckSceneText(g->text, &s->info, NULL);
@@ -125,6 +130,19 @@ static void measure_picture(game_state *s, const frame_buffer *buffer)
     s->scale *= size;
     s->width = (float)buffer->width / s->scale;
     s->height = (float)buffer->height / s->scale;
+}
+
+/* In a narrow window list, tools and panel lie over the scene: they are closed as it gets
+ * narrow, and are again what they were as it gets wide. */
+static void fold_panels(game_state *s)
+{
+    int32_t *now[] = { &s->list, &s->bar, &s->panel };
+    bool narrow = s->width < LIST_ROOM, turned = s->narrow != narrow;
+    s->narrow = narrow;
+    for (int i = 0; i < 3; i++) {
+        if (turned) *now[i] = narrow ? 0 : s->wide[i];
+        if (!narrow) s->wide[i] = *now[i];
+    }
 }
 
 static bool stays_as_it_is(game *g)
@@ -210,6 +228,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     input = &now;
     if (!(input->held & GAME_BUTTON_LEFT)) s->editing = 0;
     game_take_answer(&g);
+    fold_panels(s);
     if (input->scene[0]) open_by_name(&g, input->scene);
     if (memory->news) game_tell(&g, false, memory->news);
     ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
@@ -227,6 +246,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     follow(&g);
     memory->cursor = cursor_of(&g, &u);
     game_note_tape(&g);
+    fold_panels(s);                             /* as they are now, to be kept */
     game_keep_settings(&g);
     memory->still = stays_as_it_is(&g);
     if (!buffer->pixels) return;
