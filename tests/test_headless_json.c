@@ -97,7 +97,7 @@ TEST(the_testbed_opens_a_text)
     char error[200], said[16384];
     assert_true(game_reads_scene(text, error, sizeof error));
     assert_false(game_reads_scene("{\"weft\": 1,\n\"bodies\": 3}", error, sizeof error));
-    assert_string_equal(error, "line 2: bodies must be an array: [ ... ]");
+    assert_string_equal(error, "bodies, line 2: must be an array: [ ... ]");
     game_memory memory = { .permanent = calloc(1, GAME_PERMANENT_SIZE), .permanent_size = GAME_PERMANENT_SIZE, .transient = calloc(1, GAME_TRANSIENT_SIZE), .transient_size = GAME_TRANSIENT_SIZE, .text = text };
     frame_buffer nothing = { NULL, 320, 240, 320, 1 };
     assert_true(memory.permanent && memory.transient);

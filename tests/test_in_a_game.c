@@ -323,5 +323,50 @@ TEST(bad_movers_are_refused)
     assert_result(WF_ERROR_RANGE, wfMoveMover(&w, &m, 0));
     m.velocity.x = (wfReal)NAN;
     assert_result(WF_ERROR_NOT_FINITE, wfMoveMover(&w, &m, dt));
+    /* each field, and what it says; nothing has moved */
+    const wfReal bad[] = { (wfReal)NAN, (wfReal)INFINITY, -(wfReal)INFINITY, WF_R(1e30), WF_R(-1e30), -1 };
+    for (int field = 0; field < 6; field++) {
+        for (int k = 0; k < 6; k++) {
+            m = wfDefaultMover();
+            m.position = wfV2(0, 1), m.velocity = wfV2(1, 0);
+            wfReal seconds = dt, *numbers[] = { &m.up.x, &m.up.y, &m.steepest, &m.stepHeight, &m.velocity.x, &seconds };
+            if (bad[k] == -1 && (field == 1 || field == 4)) continue;       /* hangs from the ceiling; walks back */
+            *numbers[field] = bad[k];
+            wfMover before = m;
+            wfResult wanted = wfIsFinite(bad[k]) || field != 4 ? WF_ERROR_RANGE : WF_ERROR_NOT_FINITE;
+            assert_result(wanted, wfMoveMover(&w, &m, seconds));
+            assert_memory_equal(&m, &before, sizeof m);
+        }
+    }
+    wfDestroyWorld(&w);
+}
+
+/* Forty coins where it walks, more than it keeps of what it meets: floor, wall and crate are there all the same. */
+TEST(sensors_hide_nothing_from_a_mover)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w = world_with(&def);
+    wfBodyDef d = wfDefaultBodyDef();
+    wfShapeDef coin = wfDefaultShapeDef();
+    d.type = WF_STATIC, d.position = wfV2(WF_R(4.2), 1), coin.sensor = 1;
+    wfBodyId coins = add(&w, d);
+    assert_ok(wfMakeBox(1, 1, &coin.shape));
+    for (int i = 0; i < 40; i++) assert_ok(wfAddShapeToBody(&w, coins, &coin, NULL));
+    solid(&w, WF_STATIC, 0, -1, 50, 1, 0, 1);
+    solid(&w, WF_STATIC, 5, 5, WF_R(0.5), 5, 0, 1);
+    wfMover m = wfDefaultMover();
+    m.position = wfV2(0, WF_R(0.5));
+    for (int i = 0; i < 240; i++) {
+        assert_ok(wfStepWorld(&w));
+        m.velocity = wfV2(3, m.velocity.y - 10 * dt);
+        assert_ok(wfMoveMover(&w, &m, dt));
+    }
+    assert_near((double)m.position.x, 4.2, 0.02);
+    assert_near((double)m.position.y, 0, 0.02);
+    assert_int_not_equal(m.ground.index, 0);
+    d = square_def((double)m.position.x - 0.61, 0.5, 0.3), d.fixedRotation = 1;
+    wfBodyId crate = add(&w, d);
+    assert_ok(wfPushBodies(&w, &m, wfV2(-3, 0)));
+    assert_near((double)info(&w, crate).velocity.x, -3, 1e-3);
     wfDestroyWorld(&w);
 }

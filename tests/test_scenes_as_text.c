@@ -490,6 +490,8 @@ static const struct { const char *text, *where; int line; wfResult result; const
       "joints[0]", 1, WF_ERROR_RANGE, "with itself" },
     { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"weld\", \"a\": 0, \"b\": 1,\n\"lower\": 2 } ] }",
       "joints[0].lower", 2, WF_ERROR_RANGE, "above `upper'" },
+    { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"prismatic\", \"a\": 0, \"b\": 1,\n"
+      "\"axis\": [0, 0] } ] }", "joints[0].axis", 2, WF_ERROR_RANGE, "must not be [0, 0]" },
     { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"weld\", \"a\": 0 } ] }", "joints[0]", 1,
       WF_ERROR_TEXT, "needs `a' and `b'" },
     { "{ \"weft\": 1, \"bodies\": [{\"mass\": 1}, {\"mass\": 1}], \"joints\": [ { \"kind\": \"weld\", \"a\": 0, \"b\": 1, \"localA\": [0, 0],\n"

@@ -54,9 +54,11 @@ const room = size => {
   return at;
 };
 const vector = v => Array.isArray(v) ? { x: v[0], y: v[1] } : v;
-const put = (type, at, value) => {
+const put = (type, at, value, field) => {
   if (simple[type]) {
     if (typeof value === 'boolean') value = value ? 1 : 0;
+    if (field && 'iu'.includes(type) && +value !== (type === 'i' ? value | 0 : value >>> 0))
+      throw new WeftError('WF_ERROR_RANGE', `${field} is ${value}, no whole number that fits`);
     look()['set' + simple[type][1]](at, type === 'U' ? BigInt(value) : value, true);
   } else if (type === 'wfVec2') {
     value = vector(value);
@@ -64,7 +66,7 @@ const put = (type, at, value) => {
   } else for (const f of parsed[type].fields) {
     const given = value[f.field];
     if (given === undefined) continue;
-    if (!f.count) put(f.type, at + f.at, given);
+    if (!f.count) put(f.type, at + f.at, given, f.field);
     else given.forEach((one, k) => put(f.type, at + f.at + k * sizeOf(f.type), one));
   }
 };
@@ -525,6 +527,7 @@ class World {
    *  Returns which part of a step is left: how far bodies are beyond where they were. */
   //: advance(seconds: number, most?: number): number;
   advance(seconds, most = 4) {
+    if (!(seconds >= 0)) throw new WeftError('WF_ERROR_RANGE', `seconds is ${seconds}`);
     const h = this.settings.timeStep;
     this.due = Math.min(this.due + seconds, most * h);
     for (; this.due >= h; this.due -= h) this.step();

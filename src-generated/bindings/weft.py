@@ -311,6 +311,9 @@ class World:
         (rad), angularVelocity (rad/s), mass (kg) and the other fields of
         weft.api.wfBodyDef."""
         definition = _fill(api.wfDefaultBodyDef(), numbers)
+        if type not in _types:
+            raise WeftError('WF_ERROR_UNKNOWN', f'there is no type "{type}": ' +
+                            ', '.join(_types))
         definition.type = _types[type]
         made = Body(self, _ask(api.wfBodyId, api.wfAddBodyToWorld, self.handle,
                                definition))

@@ -9,15 +9,35 @@ typedef struct Walk {
     const wfWorld *world;
     wfMover *m;
     wfBlock b;
+    wfShapeSet solid;
     wfReal gap, flattest;      /* m; cosine of the steepest slope */
     bool stood, landed;        /* when the move began; within it */
 } Walk;
 
 static wfReal rise(const Walk *w, wfVec2 v) { return wfDot(v, w->m->up); }
 
+static wfTransform place_solid(const void *context, int32_t k)
+{
+    const wfBlock *b = context;
+    return wfBodyTransform(&b->state[b->bodyOfShape[k]]);
+}
+
+static bool is_solid(const void *context, int32_t k)
+{
+    return !((const wfBlock *)context)->materials[k].sensor;
+}
+
+static wfShapeSet solid_shapes(const wfBlock *b)
+{
+    return (wfShapeSet){ .proxies = wfProxiesOf(b, b->bounds, b->flags),
+                         .shapes = b->shapes, .place = place_solid, .context = b,
+                         .method = b->head->broadPhase,
+                         .index = b->head->indexStale ? NULL : b->index,
+                         .may = is_solid };
+}
+
 static bool stops(const Walk *w, int32_t k, wfVec2 normal)
 {
-    if (w->b.materials[k].sensor) return false;
     bool only = (w->b.filters[k].category & w->m->oneWay) != 0;
     return !only || rise(w, normal) >= w->flattest;
 }
@@ -27,8 +47,8 @@ static bool meets(const Walk *w, wfVec2 at, wfVec2 by, wfRayHit *out)
     wfRayHit hit[MOVER_HITS];
     int32_t count = 0;
     wfTransform placed = wfMakeTransform(at, 0);
-    wfWorldCastShapeAll(w->world, &w->m->shape, placed, by, &w->m->filter, hit, MOVER_HITS,
-                        &count);
+    wfSetCastShapeAll(&w->solid, &w->m->shape, placed, by, &w->m->filter, hit, MOVER_HITS,
+                      &count);
     if (count > MOVER_HITS) count = MOVER_HITS;
     for (int32_t i = 0; i < count; i++) {
         bool into = wfDot(hit[i].normal, by) < WF_R(-1e-4) * wfLength(by);
@@ -65,7 +85,7 @@ static bool is_ground(const Walk *w, const wfRayHit *hit)
     wfVec2 from = wfAddScaled(wfAddScaled(hit->point, deep, in), deep, up);
     wfRayHit below;
     wfRay ray = { from, wfScale(-2 * deep, up) };
-    wfResult result = wfWorldCastRay(w->world, ray, &w->m->filter, &below);
+    wfResult result = wfSetCastRay(&w->solid, ray, &w->m->filter, &below);
     return result == WF_OK && below.shape >= 0 && rise(w, below.normal) >= w->flattest;
 }
 
@@ -131,7 +151,7 @@ static wfVec2 push_out(const Walk *w, wfVec2 at)
     wide.radius += w->gap / 2;
     for (int pass = 0; pass < MOVER_PASSES; pass++) {
         wfTransform placed = wfMakeTransform(at, 0);
-        wfWorldOverlap(w->world, &wide, placed, &w->m->filter, shape, MOVER_HITS, &count);
+        wfSetOverlap(&w->solid, &wide, placed, &w->m->filter, shape, MOVER_HITS, &count);
         for (int32_t i = 0; i < count && i < MOVER_HITS; i++) {
             int32_t k = shape[i];
             wfSeparation found;
@@ -188,13 +208,18 @@ wfResult wfMoveMover(const wfWorld *world, wfMover *m, wfReal seconds)
                                        &hit);
     if (result == WF_OK) result = wfOpenBlock(world, &w.b);
     if (result != WF_OK) return result;
-    if (!(seconds > 0 && seconds < WF_HUGE)) return WF_ERROR_RANGE;
+    wfReal slope = m->steepest, ledge = m->stepHeight, most = WF_IMPACT_FAR;
+    wfVec2 ride = wfScale(seconds, carried(&w)), by = wfScale(seconds, m->velocity);
+    if (!(wfAbs(wfLength(m->up) - 1) < WF_R(1e-3) && slope >= 0 && slope <= WF_PI
+          && ledge >= 0 && ledge < most && seconds > 0 && wfLength(by) < most
+          && wfLength(ride) < most)) return WF_ERROR_RANGE;
+    w.solid = solid_shapes(&w.b);
     bool walled = false;
     w.gap = WF_R(0.013) * wfShapeMaxExtent(&m->shape);
     w.flattest = wfCos(m->steepest);
     if (m->ground.index != 0) w.stood = true;
-    wfVec2 at = push_out(&w, m->position), by = wfScale(seconds, m->velocity);
-    go(&w, &at, wfScale(seconds, carried(&w)), &hit);
+    wfVec2 at = push_out(&w, m->position);
+    go(&w, &at, ride, &hit);
     wfVec2 along = wfSub(by, wfScale(rise(&w, by), m->up));
     wfVec2 velocity = m->velocity, top = at;
     wfVec2 slid = slide(&w, at, by, &velocity, &walled);
@@ -212,7 +237,7 @@ static void push(wfWorld *world, const wfBlock *b, const wfMover *m, int32_t k,
     const wfBodyState *s = &b->state[i];
     wfTransform placed = wfMakeTransform(m->position, 0);
     wfDistanceResult touch;
-    if (b->props[i].type != WF_DYNAMIC || b->materials[k].sensor) return;
+    if (b->props[i].type != WF_DYNAMIC) return;
     if (wfShapeDistance(&m->shape, placed, &b->shapes[k], wfBodyTransform(s), &touch)
         != WF_OK) return;
     wfReal arm = wfCross(wfSub(touch.pointB, s->p), touch.normal);
@@ -235,8 +260,13 @@ wfResult wfPushBodies(wfWorld *world, const wfMover *m, wfVec2 velocity)
     if (result != WF_OK) return result;
     wfShape wide = m->shape;
     wide.radius += WF_R(0.026) * wfShapeMaxExtent(&m->shape);       /* two gaps */
-    result = wfWorldOverlap(world, &wide, wfMakeTransform(m->position, 0), &m->filter,
-                            shape, MOVER_HITS, &count);
+    result = wfRequireModules(&b, WF_MODULE_QUERIES);
+    if (result != WF_OK) return result;
+    if (wide.kind != WF_SHAPE_NONE) result = wfCheckShape(&wide);
+    wfShapeSet solid = solid_shapes(&b);
+    if (result == WF_OK)
+        result = wfSetOverlap(&solid, &wide, wfMakeTransform(m->position, 0), &m->filter,
+                              shape, MOVER_HITS, &count);
     if (result != WF_OK) return wfRefuse(&b, result, "mover", NULL);
     int32_t under = wfShapeIndex(world, m->ground);
     for (int32_t i = 0; i < count && i < MOVER_HITS; i++)

@@ -433,6 +433,8 @@ static bool join(Reader *r, const cJSON *item, wfJoint *j)
         return false;
     wfResult result = wfDefineJoint(&r->world, wfJointTable[j->kind].name,
         wfBodyAt(&r->world, j->a), wfBodyAt(&r->world, j->b), a, b, axis, j);
+    if (result == WF_ERROR_RANGE && wfDot(axis, axis) <= 0)
+        return wfTextFail(&r->t, wfChild(item, "axis"), result, "must not be [0, 0]");
     return wfTextResult(&r->t, item, result);
 }
 

@@ -351,7 +351,7 @@ bool game_reads_scene(const char *text, char *error, size_t size)
     wfTextError e;
     wfSceneInfo info;
     if (wfCheckSceneText(text, &info, &e) == WF_OK) return true;
-    snprintf(error, size, "line %d: %s%s%s", (int)e.line, e.where, e.where[0] ? " " : "",
+    snprintf(error, size, "%s%sline %d: %s", e.where, e.where[0] ? ", " : "", (int)e.line,
              e.what);
     return false;
 }

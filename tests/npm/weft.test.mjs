@@ -58,6 +58,9 @@ test('what is refused says why, and changes nothing', () => {
   assert.throws(() => world.createBody({ shapes: [{ ...Shape.circle(1), friction: -1 }] }), { code: 'WF_ERROR_RANGE', message: /friction/ });
   assert.throws(() => Shape.circle(-1), { code: 'WF_ERROR_SIZE' });
   assert.throws(() => new World({ timeStep: 0 }), { code: 'WF_ERROR_RANGE', message: /timeStep/ });
+  for (const many of [1.5, 2 ** 32 + 5, -(2 ** 31) - 1, NaN, 'five'])       // none is cut to fit
+    assert.throws(() => new World({ bodyCapacity: many }), { code: 'WF_ERROR_RANGE', message: /bodyCapacity/ });
+  assert.throws(() => new World({ modules: -1 }), { code: 'WF_ERROR_RANGE', message: /modules/ });
   assert.equal(world.hash, hash);
   const body = world.bodies[3];
   body.destroy();
@@ -106,6 +109,9 @@ test('advance makes whole steps and no more than allowed', () => {
   assert.equal(world.steps, 2n); assert.ok(Math.abs(rest - 0.5) < 1e-3);
   world.advance(100, 4);
   assert.equal(world.steps, 6n);
+  for (const seconds of [NaN, -1, undefined]) assert.throws(() => world.advance(seconds), { code: 'WF_ERROR_RANGE', message: /seconds/ });
+  world.advance(1.5 / 60);
+  assert.equal(world.steps, 7n);
 });
 
 test('a hand pulls, a kinematic body arrives, forms are cut', () => {

@@ -76,6 +76,7 @@ def test_snapshots_and_files(tmp_path):
     (lambda w: w.body(position=(math.nan, 0)), 'WF_ERROR_NOT_FINITE', 'position.x'),
     (lambda w: w.body(positon=(0, 0)), 'WF_ERROR_UNKNOWN', 'positon'),
     (lambda w: w.body(shapes=[weft.circle(1, friction=-1)]), 'WF_ERROR_RANGE', 'friction'),
+    (lambda w: w.body('dynamical'), 'WF_ERROR_UNKNOWN', 'kinematic'),
     (lambda w: weft.World(timeStep=0), 'WF_ERROR_RANGE', 'timeStep'),
     (lambda w: w.joint('revolut', w.bodies[0], w.bodies[1]), 'WF_ERROR_UNKNOWN', ''),
 ])

@@ -21,7 +21,8 @@ typedef struct wfMover {
 wfMover wfDefaultMover(void);
 /* Moves it for so many seconds (> 0) and says where it is, how fast, and on what it stands.
  * It is carried by what it stands on. Sensors don't stop it. Changes nothing in the world:
- * any number of threads may move movers. Errors of wfWorldCastShape; _RANGE (seconds). */
+ * any number of threads may move movers. Errors of wfWorldCastShape; _RANGE (seconds, up,
+ * steepest not from 0 to pi, stepHeight below 0, a way too long). */
 wfResult wfMoveMover(const wfWorld *world, wfMover *mover, wfReal seconds);
 /* Pushes the dynamic bodies beside the mover, not what it stands on, as a wall would that
  * moves at `velocity` (m/s: as the mover wanted to, before it was moved): where they touch,

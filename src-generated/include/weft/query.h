@@ -64,6 +64,7 @@ typedef struct wfShapeSet {
     int32_t method;
     const void *index;
     wfQueryWork *work;            /* or NULL */
+    bool (*may)(const void *context, int32_t shape);  /* be found; NULL: each may */
 } wfShapeSet;
 /* All of them: only live proxies are asked, and only those whose filter and the query's
    allow each other (wfFilterAllows; filter NULL: all).  The answers do not depend on the
