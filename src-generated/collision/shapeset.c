@@ -24,6 +24,7 @@ static bool wanted(const wfShapeSet *set, const wfFilter *filter, int32_t proxy)
 {
     const wfFilter *all = set->proxies.filters;
     bool yes = !filter || wfFilterAllows(*filter, all ? all[proxy] : wfDefaultFilter());
+    /* ask the set whether proxy may be found */
     if (yes && set->may) yes = set->may(set->context, proxy);
     if (set->work) {
         set->work->shown++;
