@@ -59,7 +59,8 @@ const put = (type, at, value, field) => {
     if (typeof value === 'boolean') value = value ? 1 : 0;
     const whole = type === 'i' ? value | 0 : value >>> 0;
     if (field && 'iu'.includes(type) && +value !== whole)
-      throw new WeftError('WF_ERROR_RANGE', `${field} is ${value}, no whole number that fits`);
+      throw new WeftError('WF_ERROR_RANGE',
+        `${field} is ${value}, no whole number that fits`);
     look()['set' + simple[type][1]](at, type === 'U' ? BigInt(value) : value, true);
   } else if (type === 'wfVec2') {
     value = vector(value);
