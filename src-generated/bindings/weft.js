@@ -57,8 +57,8 @@ const vector = v => Array.isArray(v) ? { x: v[0], y: v[1] } : v;
 const put = (type, at, value, field) => {
   if (simple[type]) {
     if (typeof value === 'boolean') value = value ? 1 : 0;
-    const whole = type === 'i' ? value | 0 : value >>> 0;
-    if (field && 'iu'.includes(type) && +value !== whole)
+    const whole = () => type === 'i' ? value | 0 : value >>> 0;
+    if (field && 'iu'.includes(type) && +value !== whole())
       throw new WeftError('WF_ERROR_RANGE',
         `${field} is ${value}, no whole number that fits`);
     look()['set' + simple[type][1]](at, type === 'U' ? BigInt(value) : value, true);
