@@ -69,7 +69,8 @@ const put = (type, at, value, field) => {
     const given = value[f.field];
     if (given === undefined) continue;
     if (!f.count) put(f.type, at + f.at, given, f.field);
-    else given.forEach((one, k) => put(f.type, at + f.at + k * sizeOf(f.type), one));
+    else given.forEach((one, k) =>
+      put(f.type, at + f.at + k * sizeOf(f.type), one, `${f.field}[${k}]`));
   }
 };
 const words = at => {
@@ -200,6 +201,10 @@ const define = (type, usual, given) => {
 //: }
 const touches = ['begin', 'stay', 'end', 'sensorBegin', 'sensorStay', 'sensorEnd'];
 const types = ['static', 'kinematic', 'dynamic'];
+const typeOf = name => {
+  if (types.includes(name)) return types.indexOf(name);
+  throw new WeftError('WF_ERROR_UNKNOWN', `type is ${name}: not one of ${types}`);
+};
 const same = (a, b) => a.index === b.index && a.generation === b.generation;
 const freeze = form => Object.freeze({ form });
 const make = call => freeze(ask('wfShape', call));
@@ -327,7 +332,7 @@ class Body extends Thing {
   get inertia() { return this.one('inertia'); }
   //: type: 'static' | 'kinematic' | 'dynamic';
   get type() { return types[this.one('type')]; }
-  set type(name) { C.wfChangeBodyType(this.h, this.id, types.indexOf(name)); }
+  set type(name) { C.wfChangeBodyType(this.h, this.id, typeOf(name)); }
   //: gravityScale: number;
   get gravityScale() { return this.one('gravityScale'); }
   set gravityScale(s) { C.wfSetBodyGravityScale(this.h, this.id, s); }
@@ -491,7 +496,7 @@ class World {
   //: createBody(def?: BodyDef): Body;
   createBody({ type = 'dynamic', shapes = [], userData, ...def } = {}) {
     return scope(() => {
-      const usual = { ...C.wfDefaultBodyDef(), type: types.indexOf(type) };
+      const usual = { ...C.wfDefaultBodyDef(), type: typeOf(type) };
       const at = define('wfBodyDef', usual, def);
       const body = this.body(ask('wfBodyId', out =>
         C.wfAddBodyToWorld(this.handle, at, out)));
@@ -524,14 +529,20 @@ class World {
   }
   /** Advances it by so many steps of settings.timeStep. */
   //: step(count?: number): void;
-  step(count = 1) { for (let k = 0; k < count; k++) C.wfStepWorld(this.handle); }
+  step(count = 1) {
+    if (!(count >= 0 && count % 1 === 0))
+      throw new WeftError('WF_ERROR_RANGE', `count is ${count}`);
+    for (let k = 0; k < count; k++) C.wfStepWorld(this.handle);
+  }
   /** Advances it by the seconds since the last picture, in whole steps, `most` at most.
+   *  Less than 0 counts as 0: a page's first frame may bear an earlier time than the
+   *  script that asked for it.
    *  Returns which part of a step is left: how far bodies are beyond where they were. */
   //: advance(seconds: number, most?: number): number;
   advance(seconds, most = 4) {
-    if (!(seconds >= 0)) throw new WeftError('WF_ERROR_RANGE', `seconds is ${seconds}`);
-    const h = this.settings.timeStep;
-    this.due = Math.min(this.due + seconds, most * h);
+    const since = Math.max(seconds, 0), h = this.settings.timeStep;
+    if (isNaN(since)) throw new WeftError('WF_ERROR_RANGE', `seconds is ${seconds}`);
+    this.due = Math.min(this.due + since, most * h);
     for (; this.due >= h; this.due -= h) this.step();
     return this.due / h;
   }

@@ -339,6 +339,8 @@ class World:
 
     def step(self, count=1):
         """Advances it by so many steps of timeStep."""
+        if count < 0:
+            raise WeftError('WF_ERROR_RANGE', f'count is {count}')
         for _ in range(count):
             api.wfStepWorld(self.handle)
 

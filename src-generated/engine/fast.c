@@ -3,19 +3,6 @@
 #include <string.h>
 #include "engine/step.h"
 
-/* how far a shape goes on a sweep */
-enum { FLIGHT_TURNS = 1000 };   /* of a sweep; a body that makes more is swept by so many */
-
-static wfReal arm_of(const struct wfStep *s, int32_t k)
-{
-    return wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
-}
-
-static WF_ONE_COPY wfReal way_of(const struct wfStep *s, int32_t k, wfSweep w)
-{
-    wfReal turn = wfAbs(w.angleTo - w.angleFrom);
-    return wfDistance(w.from, w.to) + turn * arm_of(s, k);
-}
 enum { FLIGHT_PASSES = 64 };    /* over what was struck before, after each impact */
 #define FLIGHT_LEFT WF_R(0.25)  /* of the least way: so much is left to the next step */
 enum { FLIGHT_TRIES = 16 };     /* searches of WF_IMPACT_STEPS, one behind the other */
@@ -26,7 +13,7 @@ enum { FLIGHT_TRIES = 16 };     /* searches of WF_IMPACT_STEPS, one behind the o
 static wfSweep sweep_of(const struct wfStep *s, int32_t i)
 {
     const wfBodyState *old = &s->b.state[i], *now = &s->state[i];
-    wfReal turn = now->angle - old->angle, most = 2 * WF_PI * FLIGHT_TURNS;
+    wfReal turn = now->angle - old->angle, most = 2 * WF_PI * WF_SWEPT_TURNS;
     if (!wfSolverIntegrates(s)) {                                   /* eq:fast-turn */
         wfReal likely = s->b.head->timeStep * (old->w + now->w) / 2;
         turn = likely + wfWrapAngle(turn - likely);
@@ -87,7 +74,7 @@ static bool is_sent(const struct wfStep *s, const wfSweptBody *f)
 {
     for (int32_t k = s->b.props[f->body].shape; k >= 0; k = s->b.next[k]) {
         wfReal least = s->b.head->slop * s->b.materials[k].reach;
-        if (!wfIsSensor(&s->b, k) && way_of(s, k, f->leg) > least) return true;
+        if (!wfIsSensor(&s->b, k) && wfWayOfShape(s, k, f->leg) > least) return true;
     }
     return false;
 }
@@ -158,7 +145,7 @@ static void find_flights(struct wfStep *s)
         int32_t i = s->b.bodyOfShape[k];
         if (is_slow(s, k, &s->slack)) continue;
         wfSweep w = sweep_of(s, i);
-        wfReal way = way_of(s, k, w);
+        wfReal way = wfWayOfShape(s, k, w);
         if (s->linked != NULL && !has_margin(s, k, way)) s->linked[i] = 0;
         if (wfIsFollowed(s, k, way)) {
             if (s->flightCount == 0) start_flights(s);
@@ -403,7 +390,7 @@ static wfResult press(const struct wfStep *s, int32_t k, int32_t other, wfReal t
 /* How far may be looked from t at once, so that rounding stays small? eq:fast-window */
 static wfReal window_end(const struct wfStep *s, const wfSweptBody *f, int32_t k, wfReal t)
 {
-    wfReal way = way_of(s, k, leg_from(s, f->body, t));
+    wfReal way = wfWayOfShape(s, k, leg_from(s, f->body, t));
     wfReal most = FLIGHT_WINDOW * s->b.materials[k].reach;
     if (!(way > most)) return 1;
     return wfMinR(t + wfMaxR(most / way * (1 - t), WF_R(1.0) / FLIGHT_WINDOWS), 1);
@@ -493,7 +480,8 @@ static WF_ONE_COPY bool is_solved(const struct wfStep *s, int32_t k, int32_t oth
     wfSweep a = leg_from(s, i, t), b = leg_from(s, j, t);
     wfReal least = wfMinR(least_way(s, k), least_way(s, other)) * (t > 0 ? FLIGHT_LEFT : 1);
     a.from = wfSub(a.from, b.from), a.to = wfSub(a.to, b.to);
-    wfReal way = way_of(s, k, a) + wfAbs(b.angleTo - b.angleFrom) * arm_of(s, other);
+    wfReal turn = wfAbs(b.angleTo - b.angleFrom);
+    wfReal way = wfWayOfShape(s, k, a) + turn * wfArmOfShape(s, other);
     if (!(way <= least)) return false;
     return wfHasPair(s->pairs.pairs, s->pairs.count, p) && wfKeptMargin(s, p);
 }
@@ -504,7 +492,7 @@ static WF_ONE_COPY wfRect box_on_leg(const struct wfStep *s, int32_t k, wfSweep 
 {
     const wfBodyState *old = &s->b.state[s->b.bodyOfShape[k]];
     wfReal turn = wfAbs(leg.angleFrom - old->angle) + wfAbs(leg.angleTo - leg.angleFrom);
-    wfReal arm = arm_of(s, k), angles = wfAbs(leg.angleFrom) + wfAbs(leg.angleTo) + 8;
+    wfReal arm = wfArmOfShape(s, k), angles = wfAbs(leg.angleFrom) + wfAbs(leg.angleTo) + 8;
     wfReal blur = 16 * WF_EPSILON * angles * (arm + s->b.shapes[k].radius);
     wfRect box = wfShapeBounds(&s->b.shapes[k], wfBodyTransform(old));
     wfRect r = wfRectGrow(box, turn * arm + blur);

@@ -2,20 +2,6 @@
  * file: edit the chapter and type make. MIT licence. */
 #include "engine/step.h"
 
-/* how far a shape goes on a sweep */
-enum { FLIGHT_TURNS = 1000 };   /* of a sweep; a body that makes more is swept by so many */
-
-static wfReal arm_of(const struct wfStep *s, int32_t k)
-{
-    return wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
-}
-
-static WF_ONE_COPY wfReal way_of(const struct wfStep *s, int32_t k, wfSweep w)
-{
-    wfReal turn = wfAbs(w.angleTo - w.angleFrom);
-    return wfDistance(w.from, w.to) + turn * arm_of(s, k);
-}
-
 /* When body i was last struck, share of the step; 0: its way has no corner. */
 static wfReal corner_of(const struct wfStep *s, int32_t i)
 {
@@ -35,7 +21,7 @@ static wfSweep way_between(const struct wfStep *s, int32_t i, wfReal from, wfRea
 {
     const wfBodyState *old = &s->b.state[i], *now = &s->state[i];
     wfReal corner = corner_of(s, i), likely = s->b.head->timeStep * (old->w + now->w) / 2;
-    likely = wfClamp(likely, -2 * WF_PI * FLIGHT_TURNS, 2 * WF_PI * FLIGHT_TURNS);
+    likely = wfClamp(likely, -2 * WF_PI * WF_SWEPT_TURNS, 2 * WF_PI * WF_SWEPT_TURNS);
     wfReal turn = likely + wfWrapAngle(now->angle - old->angle - likely); /* eq:fast-turn */
     wfSweep way = { old->p, now->p, old->angle, old->angle + turn };
     if (!(corner > 0)) return part_of(way, from, to);
@@ -50,8 +36,8 @@ static wfReal whole_way(const struct wfStep *s, int32_t k)
 {
     int32_t i = s->b.bodyOfShape[k];
     wfReal corner = corner_of(s, i);
-    wfReal way = corner < 1 ? way_of(s, k, way_between(s, i, corner, 1)) : 0;
-    return corner > 0 ? way + way_of(s, k, way_between(s, i, 0, corner)) : way;
+    wfReal way = corner < 1 ? wfWayOfShape(s, k, way_between(s, i, corner, 1)) : 0;
+    return corner > 0 ? way + wfWayOfShape(s, k, way_between(s, i, 0, corner)) : way;
 }
 static bool parted(const struct wfStep *s, wfPair p, wfTransform xa, wfTransform xb,
                    wfSeparation *out)
@@ -69,7 +55,7 @@ static bool met_on(const struct wfStep *s, wfPair p, wfSweep a, wfSweep b)
     if (wfTimeOfImpact(&s->b.shapes[p.a], a, &s->b.shapes[p.b], b, &found) != WF_OK)
         return false;
     if (found.kind == WF_IMPACT_APART) return false;
-    wfReal way = way_of(s, p.a, a) + way_of(s, p.b, b), t = found.t;
+    wfReal way = wfWayOfShape(s, p.a, a) + wfWayOfShape(s, p.b, b), t = found.t;
     wfReal step = WF_IMPACT_GAP * wfMinR(s->b.materials[p.a].reach,
                                          s->b.materials[p.b].reach) / way;
     for (int i = 0; i < PICTURES && t < 1; i++, t = found.t + step, step *= 2)

@@ -123,6 +123,20 @@ wfResult wfPrepareIndex(struct wfStep *s);
 wfResult wfKeepTouches(struct wfStep *s);       /* two stages */
 wfResult wfTellEvents(struct wfStep *s);
 void wfNoteStep(const struct wfStep *s, wfResult result);
+
+enum { WF_SWEPT_TURNS = 1000 };     /* a body that makes more is swept by so many */
+static inline wfReal wfArmOfShape(const struct wfStep *s, int32_t k)     /* m */
+{
+    return wfLength(s->b.shapes[k].centre) + s->b.materials[k].arm;
+}
+
+/* How far shape k goes on a sweep of its body, at most, m. */
+static WF_ONE_COPY wfReal wfWayOfShape(const struct wfStep *s, int32_t k, wfSweep w)
+{
+    wfReal turn = wfAbs(w.angleTo - w.angleFrom);
+    return wfDistance(w.from, w.to) + turn * wfArmOfShape(s, k);
+}
+
 #define WF_NEAR_WAY WF_R(0.5)       /* reaches in a step: no body is followed below */
 #define WF_LINKED_WAY 8     /* reaches in a step: bodies with joints are followed above */
 #define WF_PRESSED_WAY 1    /* and so are those that other movable bodies press */

@@ -109,9 +109,20 @@ test('advance makes whole steps and no more than allowed', () => {
   assert.equal(world.steps, 2n); assert.ok(Math.abs(rest - 0.5) < 1e-3);
   world.advance(100, 4);
   assert.equal(world.steps, 6n);
-  for (const seconds of [NaN, -1, undefined]) assert.throws(() => world.advance(seconds), { code: 'WF_ERROR_RANGE', message: /seconds/ });
+  world.advance(-0.005);                               // a page's first frame
+  assert.equal(world.steps, 6n);
+  for (const seconds of [NaN, 'a', undefined]) assert.throws(() => world.advance(seconds), { code: 'WF_ERROR_RANGE', message: /seconds/ });
   world.advance(1.5 / 60);
   assert.equal(world.steps, 7n);
+});
+
+test('steps and types that make no sense are refused', () => {
+  const world = new World(), body = world.createBody({ shapes: [Shape.circle(0.5)] });
+  for (const count of [-1, 1.5, 'a', NaN]) assert.throws(() => world.step(count), { code: 'WF_ERROR_RANGE', message: /count/ });
+  const wrong = { code: 'WF_ERROR_UNKNOWN', message: /dynamical.*kinematic/ };
+  assert.throws(() => world.createBody({ type: 'dynamical' }), wrong);
+  assert.throws(() => { body.type = 'dynamical'; }, wrong);
+  assert.equal(world.steps, 0n); assert.equal(body.type, 'dynamic');
 });
 
 test('a hand pulls, a kinematic body arrives, forms are cut', () => {

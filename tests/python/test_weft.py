@@ -77,6 +77,7 @@ def test_snapshots_and_files(tmp_path):
     (lambda w: w.body(positon=(0, 0)), 'WF_ERROR_UNKNOWN', 'positon'),
     (lambda w: w.body(shapes=[weft.circle(1, friction=-1)]), 'WF_ERROR_RANGE', 'friction'),
     (lambda w: w.body('dynamical'), 'WF_ERROR_UNKNOWN', 'kinematic'),
+    (lambda w: w.step(-1), 'WF_ERROR_RANGE', 'count'),
     (lambda w: weft.World(timeStep=0), 'WF_ERROR_RANGE', 'timeStep'),
     (lambda w: w.joint('revolut', w.bodies[0], w.bodies[1]), 'WF_ERROR_UNKNOWN', ''),
 ])
