@@ -47,7 +47,7 @@ static wfLine line_of(const wfJointRow *r)
     return (wfLine){ r->jA, r->jB, r->wA, r->wB };
 }
 
-static void push_line(const wfLine *l, wfReal push, const wfJoint *j, const wfSolve *in,
+static inline void push_line(const wfLine *l, wfReal push, const wfJoint *j, const wfSolve *in,
                       const wfReal *inverse, wfJointMotion *v)
 {
     wfJointMotion *a = &v[j->a], *b = &v[j->b];                        /* eq:joints-force */
@@ -124,14 +124,16 @@ static wfReal note_rate(wfMatrix *m, const wfJointSet *set, const wfSolve *in, i
     return wfAbs(m->x[i][0]) * m->size[i][0];
 }
 
+static bool is_apart(const wfJointSet *set, int32_t i)
+{
+    const wfJoint *j = &set->joints[i];
+    return wfIsRod(j) && wfAbs(set->work[i].row[0].error) > j->rest / 2;
+}
+
 static void judge_rods(wfMatrix *m, const wfJointSet *set)
 {
-    for (int32_t n = 0; n < m->ordered; n++) {
-        int32_t i = m->order[n];
-        const wfJoint *j = &set->joints[i];
-        bool apart = wfIsRod(j) && wfAbs(set->work[i].row[0].error) > j->rest / 2;
-        m->rod[i] = apart ? ROD_APART : ROD_SOUND;
-    }
+    for (int32_t n = 0; n < m->ordered; n++)
+        m->rod[m->order[n]] = is_apart(set, m->order[n]) ? ROD_APART : ROD_SOUND;
 }
 static wfReal look_along(wfMatrix *m, const wfJointSet *set, const wfSolve *in, int32_t i,
                          wfReal keep, wfReal h)
@@ -373,6 +375,173 @@ static void find_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in)
     wfSolveMatrix(m);
 }
 
+/* The bodies of a machine, in m->first: the least of those that can move. */
+static void number_machines(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
+{
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
+        double mass = (double)in->state[b].invMass, inertia = (double)set->inverse[b];
+        m->first[b] = b;
+        m->account[b] = (wfAccount){ .mass = mass > 0 ? 1 / mass : 0,
+                                     .inertia = inertia > 0 ? 1 / inertia : 0 };
+    }
+    for (int32_t n = 0; n < m->ordered; n++) {
+        const wfJoint *j = &set->joints[m->order[n]];
+        if (!wfJointMoves(&in->state[j->a]) || !wfJointMoves(&in->state[j->b])) continue;
+        int32_t a = root_of(m->first, j->a), b = root_of(m->first, j->b);
+        m->first[a > b ? a : b] = a > b ? b : a;
+    }
+    for (int32_t n = 0; n < m->bodies; n++) root_of(m->first, m->body[n]);
+}
+
+/* The second half of the push of a row; what is not sound takes the first one back. */
+static wfReal half_of(const wfMatrix *m, int32_t i, int32_t k)
+{
+    if (!m->moved || m->lost) return 0;
+    return m->rod[i] == ROD_SOUND ? m->smooth[i][k] : -m->impulse[i][k];
+}
+
+/* The least moving body of the machine of joint i. */
+static int32_t machine_of(const wfMatrix *m, const wfJointSet *set, const wfSolve *in,
+                          int32_t i)
+{
+    const wfJoint *j = &set->joints[i];
+    return m->first[wfJointMoves(&in->state[j->a]) ? j->a : j->b];
+}
+
+/* Twice the kinetic energy of a body with v and, as a scalar product, u. */
+static inline double motion_of(const wfAccount *of, const wfJointMotion *v,
+                               const wfJointMotion *u)
+{
+    return of->mass * ((double)v->v.x * (double)u->v.x + (double)v->v.y * (double)u->v.y)
+         + of->inertia * ((double)v->w * (double)u->w);
+}
+
+/* Enters the kinetic energy of the velocities v, without the moving, times `sign`. */
+static void enter_motion(wfMatrix *m, const wfJointMotion *v, double sign)
+{
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
+        wfJointMotion own = v[b];
+        if (m->moves) {
+            own.v = wfSub(own.v, m->moving[b].v);
+            own.w -= m->moving[b].w;
+        }
+        m->account[m->first[b]].rest += sign / 2 * motion_of(&m->account[b], &own, &own);
+    }
+}
+
+/* The energy of the springs of joint i, whose rows have given way by e. */
+static double stored_in(const wfMatrix *m, const wfJointSet *set, int32_t i,
+                        const wfReal *e)
+{
+    double sum = 0, share = (double)(1 - wfGivingOf(set).keep) / ((double)m->h * (double)m->h);
+    for (int32_t k = 0; k < set->work[i].holds; k++) {
+        double give = (double)(set->give * set->work[i].own[set->work[i].hold[k]]);
+        if (give > 0) sum += (double)e[k] * (double)e[k] / give;
+    }
+    return share * sum;
+}
+
+static void open_accounts(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
+{
+    for (int32_t n = 0; n < m->bodies; n++) m->account[m->body[n]].rest = 0;
+    enter_motion(m, m->free, 1);
+    for (int32_t n = 0; n < m->bodies; n++)
+        m->account[m->body[n]].motion = m->account[m->body[n]].rest;
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        const wfBodyState *a = &in->state[set->joints[i].a], *b = &in->state[set->joints[i].b];
+        const wfBodyState *held = wfJointMoves(a) ? b : a;
+        bool driven = !wfJointMoves(held) && (wfLengthSq(held->v) > 0 || held->w * held->w > 0);
+        wfAccount *of = &m->account[machine_of(m, set, in, i)];
+        if (driven) of->rest += WF_EXACT_DRIVEN;
+        else if (!is_apart(set, i)) of->rest += stored_in(m, set, i, m->part[i]);
+    }
+}
+
+/* What m->moving would do to the velocities v, in the accounts. */
+static void weigh_push(wfMatrix *m, const wfJointMotion *v)
+{
+    for (int32_t n = 0; n < m->bodies; n++) {
+        wfAccount *of = &m->account[m->body[n]];
+        of->slope = of->push = of->stored = of->motion = 0;
+    }
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
+        const wfAccount *own = &m->account[b];
+        wfAccount *of = &m->account[m->first[b]];
+        of->slope += motion_of(own, &v[b], &m->moving[b]);
+        of->push += motion_of(own, &m->moving[b], &m->moving[b]) / 2;
+        of->motion += motion_of(own, &v[b], &v[b]) / 2;
+    }
+}
+
+/* The pushes x of the rows along their lines, in m->moving. */
+static void try_pushes(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
+                       wfReal (*x)[3], bool half)
+{
+    for (int32_t n = 0; n < m->bodies; n++)
+        m->moving[m->body[n]] = (wfJointMotion){ .w = 0 };
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        for (int32_t k = 0; k < set->work[i].holds; k++)
+            push_line(&m->line[i][k], half ? half_of(m, i, k) : x[i][k], &set->joints[i], in,
+                      set->inverse, m->moving);
+    }
+}
+
+/* The shares of eq:exact-share-of-half, in m->bend; the springs get no more than there is. */
+static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
+{
+    try_pushes(m, set, in, NULL, true);
+    weigh_push(m, m->left);
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        m->account[machine_of(m, set, in, i)].stored +=
+            stored_in(m, set, i, set->joints[i].elastic);
+    }
+    for (int32_t n = 0; n < m->bodies; n++) {
+        int32_t b = m->body[n];
+        wfAccount *of = &m->account[b];
+        if (m->first[b] != b) continue;
+        double bear = of->push / 1000 + 8 * (double)WF_EPSILON * of->motion, spring = 1;
+        double rest = of->rest > 0 ? of->rest : 0;
+        if (of->stored > of->rest + bear)
+            spring = (double)wfSqrt((wfReal)(rest / of->stored));
+        rest = rest - spring * spring * of->stored;
+        if (!(rest > 0)) rest = 0;
+        m->bend[b] = 1;
+        if (of->slope + of->push > rest + bear) {
+            wfReal u = (wfReal)(of->slope / (2 * of->push)), left = (wfReal)(rest / of->push);
+            wfReal root = wfSqrt(u * u + left);
+            m->bend[b] = wfClamp(u > 0 ? left / (u + root) : root - u, 0, 1);
+        }
+        of->stored = spring;
+    }
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        wfReal share = (wfReal)m->account[machine_of(m, set, in, i)].stored;
+        for (int32_t k = 0; share < 1 && k < set->work[i].holds; k++)
+            set->joints[i].elastic[k] *= share;
+    }
+}
+
+/* The share of x that a machine takes, in m->bend: a projection takes q of eq:exact-share-of-half.
+   If rounding has spoilt it, what takes most. */
+static void temper(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
+                   const wfJointMotion *v)
+{
+    try_pushes(m, set, in, m->x, false);
+    weigh_push(m, v);
+    for (int32_t n = 0; n < m->bodies; n++) {
+        const wfAccount *of = &m->account[m->body[n]];
+        bool good = !(of->slope + of->push > 8 * (double)WF_EPSILON * of->motion);
+        m->bend[m->body[n]] = good ? 1 : (wfReal)(-of->slope / (2 * of->push));
+        m->bend[m->body[n]] = wfClamp(m->bend[m->body[n]], 0, 1);
+    }
+}
+
 /* Takes it off, and pushes the states. */
 static void make_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool last)
 {
@@ -381,9 +550,15 @@ static void make_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool l
         int32_t i = m->order[n];
         give_back(&set->joints[i], &set->work[i], m->x[i], last, m->moved,
                   in->contactCount > 0);
+    }
+    temper(m, set, in, m->next);
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        wfReal share = m->bend[machine_of(m, set, in, i)];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
-            push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->free);
-            m->before[i][k] += m->x[i][k];
+            wfReal x = share * m->x[i][k];
+            push_line(&m->line[i][k], x, &set->joints[i], in, m->inverse, m->free);
+            m->before[i][k] += x;
         }
     }
     set->changed = true;
@@ -391,8 +566,10 @@ static void make_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool l
 
 /* Half of the last push, along its chord; then what has come since we were here last:
    all of it in `free`, what belongs to the time until now in `next`. */
-static void arrive(wfMatrix *m, const wfJointSet *set, const wfSolve *in, wfReal share)
+static void arrive(wfMatrix *m, wfJointSet *set, const wfSolve *in, wfReal share)
 {
+    bool both = m->moved && !m->lost;
+    if (both) close_accounts(m, set, in);
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
         const wfBodyState *s = &in->state[b];
@@ -405,15 +582,13 @@ static void arrive(wfMatrix *m, const wfJointSet *set, const wfSolve *in, wfReal
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
-            bool once = m->rod[i] != ROD_SOUND;
-            bool none = !m->moved || m->lost;
-            wfReal push = none ? 0 : once ? -m->impulse[i][k] : m->smooth[i][k];
+            wfReal push = half_of(m, i, k) * (both ? m->bend[machine_of(m, set, in, i)] : 1);
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->free);
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->next);
             m->before[i][k] = push;
             if (m->moved) m->impulse[i][k] = (m->smooth[i][k] + m->impulse[i][k]) / 2;
             if (m->lost) m->impulse[i][k] /= 2;
-            else if (once) m->impulse[i][k] = 0;
+            else if (m->rod[i] != ROD_SOUND) m->impulse[i][k] = 0;
         }
     }
     m->lost = false;
@@ -467,7 +642,7 @@ static bool find_wrong(wfMatrix *m, wfJointSet *set, const wfSolve *in, int32_t 
     const wfJointWork *w = &set->work[i];
     wfJoint *j = &set->joints[i];
     bool some = false, new = is_new(j, w);
-    bool apart = wfIsRod(j) && wfAbs(w->row[0].error) > j->rest / 2;
+    bool apart = is_apart(set, i);
     wfReal share = (1 - wfGivingOf(set).keep) / m->h, more = 1;
     if (set->give > 0) more = wfGiveOf(set, i) / set->give;
     for (int32_t k = 0; k < w->holds; k++) {
@@ -486,19 +661,6 @@ static bool find_wrong(wfMatrix *m, wfJointSet *set, const wfSolve *in, int32_t 
         some = some || m->x[i][k] < 0 || m->x[i][k] > 0;
     }
     return some;
-}
-
-/* The bodies of a machine, in m->first: the least of those that can move. */
-static void number_machines(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
-{
-    for (int32_t n = 0; n < m->bodies; n++) m->first[m->body[n]] = m->body[n];
-    for (int32_t n = 0; n < m->ordered; n++) {
-        const wfJoint *j = &set->joints[m->order[n]];
-        if (!wfJointMoves(&in->state[j->a]) || !wfJointMoves(&in->state[j->b])) continue;
-        int32_t a = root_of(m->first, j->a), b = root_of(m->first, j->b);
-        m->first[a > b ? a : b] = a > b ? b : a;
-    }
-    for (int32_t n = 0; n < m->bodies; n++) root_of(m->first, m->body[n]);
 }
 
 /* All ways of machine r by scale[r]. */
@@ -581,7 +743,6 @@ static void start_moving(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
             push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse,
                       m->moving);
     }
-    number_machines(m, set, in);
     limit_moves(m, set, in);
     bool worse = true;
     for (int tries = 0; worse && tries < 4; tries++)
@@ -599,7 +760,7 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     (void)moved;
     m->begun = true;
     m->h = dt;
-    if (first) begin_with_old(m, set);
+    if (first) begin_with_old(m, set), number_machines(m, set, in);
     stop_moving(m, in);
     arrive(m, set, in, first ? 0 : last ? 1 : WF_R(0.5));
     make_tangent(m, set, in, last);
@@ -661,23 +822,52 @@ static void answer(wfMatrix *m, wfJointSet *set, const wfSolve *in)
     take_velocities(m, in);
 }
 
-static void give_up(wfMatrix *m, wfJointSet *set, const wfSolve *in)
+static void give_up(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool first)
 {
+    bool moves = m->moves;
     set->unsolved++;
     m->lost = true;
     stop_moving(m, in);
     copy_bodies(m, m->free, m->next);
+    for (int32_t n = 0; n < m->bodies && !first; n++)
+        m->next[m->body[n]] = m->account[m->body[n]].entry;
+    if (moves && !first) move_all(m, m->next, -1);
     find_tangent(m, set, in);
+    temper(m, set, in, m->next);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
+        wfReal share = m->bend[machine_of(m, set, in, i)];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
-            push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->next);
-            m->impulse[i][k] = m->x[i][k];
+            wfReal x = share * m->x[i][k];
+            m->impulse[i][k] = x + (first ? 0 : m->entry[i][k]);
+            push_line(&m->line[i][k], x, &set->joints[i], in, m->inverse, m->next);
             set->joints[i].given[k] = set->joints[i].elastic[k] = 0;
         }
     }
     set->changed = m->rigid = true;
     take_velocities(m, in);
+}
+
+static void remember_entry(wfMatrix *m)
+{
+    for (int32_t n = 0; n < m->bodies; n++)
+        m->account[m->body[n]].entry = m->left[m->body[n]];
+    for (int32_t n = 0; n < m->ordered; n++)
+        memcpy(m->entry[m->order[n]], m->impulse[m->order[n]], sizeof *m->entry);
+}
+
+/* Has nobody gained by the first half? */
+static bool is_paid(wfMatrix *m)
+{
+    bool paid = true;
+    enter_motion(m, m->left, -1);
+    for (int32_t n = 0; n < m->bodies; n++) {
+        const wfAccount *of = &m->account[m->body[n]];
+        if (m->first[m->body[n]] == m->body[n])
+            paid = paid && !(of->rest < -WF_EXACT_UNPAID * of->motion);
+    }
+    enter_motion(m, m->left, 1);
+    return paid;
 }
 
 static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *moved,
@@ -687,18 +877,26 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     if (!soft) stop_moving(m, in);
     bool some = take_in(m, in);
     (void)moved;
-    if (!soft && some) answer(m, set, in);
     if (soft) m->rigid = false;
-    if (soft && (some || m->pushed || !m->moved)) {
+    if (!(soft ? some || m->pushed || !m->moved : some)) {
+        note_impulses(m, set, soft || m->moved);
+        return;
+    }
+    if (soft && !m->moved) open_accounts(m, set, in);
+    else if (m->moved) enter_motion(m, m->left, 1);
+    if (!soft) answer(m, set, in);
+    else {
         bool first = !m->moved;
         m->moved = true;
         m->lost = m->pushed = false;
-        bool solved = newton(m, set, in, dt) < WF_EXACT_LOST;
+        remember_entry(m);
+        bool solved = newton(m, set, in, dt) < WF_EXACT_LOST && is_paid(m);
         if (solved) note_elastic(m, set);
-        else give_up(m, set, in);
+        else give_up(m, set, in, first);
         for (int32_t n = 0; first && n < m->ordered; n++)
             memcpy(m->smooth[m->order[n]], m->impulse[m->order[n]], sizeof *m->smooth);
     }
+    if (m->moved) enter_motion(m, m->left, -1);
     note_impulses(m, set, soft || m->moved);
 }
 
@@ -847,77 +1045,6 @@ static void take_ties(void *context, const wfSolve *in, bool soft, const wfTie *
 static const wfLending lending = { list_ties, fill_ties, take_ties };
 
 /* take room for the matrix */
-size_t wfExactScratch(int32_t bodies, int32_t joints)
-{
-    size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
-    size_t each = 7 * sizeof(int32_t) + 1 + sizeof(wfBlock3) + 24 * sizeof(wfReal)
-                + 3 * sizeof(wfLine);
-    size_t pairs = 2 * sizeof(wfEdge) + 2 * sizeof(wfBlock3);
-    size_t body = 4 * sizeof(wfJointMotion) + sizeof(wfWay) + 2 * sizeof(wfReal)
-                + 4 * sizeof(int32_t);
-    return sizeof(wfMatrix) + n * each + room * pairs + (size_t)bodies * body
-         + 30 * WF_POOL_ALIGN;
-}
-
-static bool take_bodies(wfMatrix *m, int32_t bodies, wfPool *pool)
-{
-    m->free = wfPoolPushArray(pool, bodies, wfJointMotion);
-    m->left = wfPoolPushArray(pool, bodies, wfJointMotion);
-    m->next = wfPoolPushArray(pool, bodies, wfJointMotion);
-    m->moving = wfPoolPushArray(pool, bodies, wfJointMotion);
-    m->way = wfPoolPushArray(pool, bodies, wfWay);
-    m->inverse = wfPoolPushArray(pool, bodies, wfReal);
-    m->bend = wfPoolPushArray(pool, bodies, wfReal);
-    m->body = wfPoolPushArray(pool, bodies, int32_t);
-    m->first = wfPoolPushArray(pool, bodies, int32_t);
-    for (int32_t b = 0; m->first != NULL && b < bodies; b++) m->first[b] = -1;
-    return m->free != NULL && m->left != NULL && m->next != NULL && m->way != NULL
-        && m->moving != NULL
-        && m->inverse != NULL && m->bend != NULL && m->body != NULL && m->first != NULL;
-}
-
-static bool take_joints(wfMatrix *m, int32_t count, wfPool *pool)
-{
-    m->head = wfPoolPushArray(pool, count, int32_t);
-    m->rank = wfPoolPushArray(pool, count, int32_t);
-    m->order = wfPoolPushArray(pool, count, int32_t);
-    m->list = wfPoolPushArray(pool, count, int32_t);
-    m->rows = wfPoolPushArray(pool, count, int32_t);
-    m->rod = wfPoolPushArray(pool, count, uint8_t);
-    if (m->rod != NULL) memset(m->rod, ROD_SOUND, (size_t)count);
-    m->after = wfPoolPushArray(pool, 2 * count, int32_t);
-    m->own = wfPoolPushArray(pool, count, wfBlock3);
-    wfReal *numbers = wfPoolPushArray(pool, 24 * count, wfReal);
-    wfLine *lines = wfPoolPushArray(pool, 3 * count, wfLine);
-    if (numbers == NULL || lines == NULL) return false;
-    memset(lines, 0, 3 * (size_t)count * sizeof *lines);
-    memset(numbers, 0, 24 * (size_t)count * sizeof *numbers);
-    m->line = (wfLine(*)[3])lines;
-    m->pivot = (wfReal(*)[3])numbers;
-    m->x = m->pivot + count, m->impulse = m->x + count;
-    m->before = m->impulse + count, m->size = m->before + count;
-    m->smooth = m->size + count, m->part = m->smooth + count;
-    m->shift = m->part + count;
-    for (int32_t i = 0; m->head != NULL && m->rank != NULL && i < count; i++)
-        m->head[i] = m->rank[i] = -1;
-    return m->head != NULL && m->rank != NULL && m->order != NULL && m->list != NULL
-        && m->after != NULL && m->own != NULL && m->rows != NULL
-        && m->rod != NULL;
-}
-
-static wfMatrix *take_matrix(int32_t count, int32_t bodies, wfPool *pool)
-{
-    wfMatrix *m = wfPoolPushArray(pool, 1, wfMatrix);
-    if (m == NULL) return NULL;
-    *m = (wfMatrix){ .count = count, .room = count * WF_EXACT_BLOCKS,
-                   .hinge = wfFindJoint("revolute") };
-    m->edge = wfPoolPushArray(pool, 2 * m->room, wfEdge);
-    m->value = wfPoolPushArray(pool, m->room, wfBlock3);
-    m->ratio = wfPoolPushArray(pool, m->room, wfBlock3);
-    if (m->edge == NULL || m->value == NULL || m->ratio == NULL) return NULL;
-    return take_joints(m, count, pool) && take_bodies(m, bodies, pool) ? m : NULL;
-}
-
 static void list_bodies(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
                         int32_t count)
 {
@@ -951,7 +1078,7 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch)
 {
     if (set == NULL || in == NULL || scratch == NULL) return WF_ERROR_NULL;
     if (set->count == 0) return WF_OK;
-    wfMatrix *m = take_matrix(set->count, in->bodyCount, scratch);
+    wfMatrix *m = wfTakeMatrix(set->count, in->bodyCount, scratch);
     return m == NULL ? WF_ERROR_MEMORY : assemble(m, set, in);
 }
 
@@ -1042,7 +1169,7 @@ wfResult wfDirectArticulations(wfJointSet *set, const wfSolve *in, wfReal most,
 {
     if (set == NULL || in == NULL || alone == NULL || scratch == NULL) return WF_ERROR_NULL;
     if (set->count == 0) return WF_OK;
-    wfMatrix *m = take_matrix(set->count, in->bodyCount, scratch);
+    wfMatrix *m = wfTakeMatrix(set->count, in->bodyCount, scratch);
     if (m == NULL) return WF_ERROR_MEMORY;
     size_t mark = wfPoolMark(scratch);
     int32_t *parent = known ? NULL : wfPoolPushArray(scratch, in->bodyCount, int32_t);
@@ -1052,39 +1179,4 @@ wfResult wfDirectArticulations(wfJointSet *set, const wfSolve *in, wfReal most,
     wfPoolRewind(scratch, mark);
     set->alone = alone;
     return assemble(m, set, in);
-}
-
-/* count what a factorisation takes */
-static void count_pairs(const wfMatrix *m, wfExactCount *out)
-{
-    for (int32_t n = 0; n < m->ordered; n++) {
-        int64_t later = 0;
-        for (int32_t e = m->head[m->order[n]]; e >= 0; e = m->edge[e].next)
-            later += m->rank[m->edge[e].to] > n;
-        out->pairs += later * (later + 1) / 2;
-    }
-}
-
-wfResult wfCountExact(const wfJoint *joints, int32_t count, const wfBodyState *state,
-                      int32_t bodies, wfPool *scratch, wfExactCount *out)
-{
-    if (joints == NULL || state == NULL || scratch == NULL || out == NULL)
-        return WF_ERROR_NULL;
-    size_t mark = wfPoolMark(scratch);
-    wfMatrix *m = take_matrix(count, bodies, scratch);
-    wfResult result = m == NULL ? WF_ERROR_MEMORY : WF_OK;
-    for (int32_t i = 0; result == WF_OK && i < count; i++) m->list[i] = i;
-    if (result == WF_OK && !wfJoinNeighbours(m, joints, state, m->list, count, m->first,
-                                           m->after))
-        result = WF_ERROR_FULL;
-    wfExactCount found = { .blocks = result == WF_OK ? m->blocks : 0 };
-    if (result == WF_OK && !wfOrderJoints(m, m->list, count, INT64_MAX))
-        result = WF_ERROR_FULL;
-    if (result == WF_OK) {
-        found.fill = m->blocks - found.blocks;
-        count_pairs(m, &found);
-        *out = found;
-    }
-    wfPoolRewind(scratch, mark);
-    return result;
 }

@@ -217,3 +217,111 @@ void wfSolveMatrix(wfMatrix *m)
         }
     }
 }
+
+/* make room for the matrix */
+size_t wfExactScratch(int32_t bodies, int32_t joints)
+{
+    size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
+    size_t each = 7 * sizeof(int32_t) + 1 + sizeof(wfBlock3) + 27 * sizeof(wfReal)
+                + 3 * sizeof(wfLine);
+    size_t pairs = 2 * sizeof(wfEdge) + 2 * sizeof(wfBlock3);
+    size_t body = 4 * sizeof(wfJointMotion) + sizeof(wfWay) + sizeof(wfAccount)
+                + 2 * sizeof(wfReal) + 4 * sizeof(int32_t);
+    return sizeof(wfMatrix) + n * each + room * pairs + (size_t)bodies * body
+         + 32 * WF_POOL_ALIGN;
+}
+
+static bool take_bodies(wfMatrix *m, int32_t bodies, wfPool *pool)
+{
+    m->free = wfPoolPushArray(pool, bodies, wfJointMotion);
+    m->left = wfPoolPushArray(pool, bodies, wfJointMotion);
+    m->next = wfPoolPushArray(pool, bodies, wfJointMotion);
+    m->moving = wfPoolPushArray(pool, bodies, wfJointMotion);
+    m->way = wfPoolPushArray(pool, bodies, wfWay);
+    m->account = wfPoolPushArray(pool, bodies, wfAccount);
+    m->inverse = wfPoolPushArray(pool, bodies, wfReal);
+    m->bend = wfPoolPushArray(pool, bodies, wfReal);
+    m->body = wfPoolPushArray(pool, bodies, int32_t);
+    m->first = wfPoolPushArray(pool, bodies, int32_t);
+    for (int32_t b = 0; m->first != NULL && b < bodies; b++) m->first[b] = -1;
+    return m->free != NULL && m->left != NULL && m->next != NULL && m->way != NULL
+        && m->moving != NULL && m->account != NULL
+        && m->inverse != NULL && m->bend != NULL && m->body != NULL && m->first != NULL;
+}
+
+static bool take_joints(wfMatrix *m, int32_t count, wfPool *pool)
+{
+    m->head = wfPoolPushArray(pool, count, int32_t);
+    m->rank = wfPoolPushArray(pool, count, int32_t);
+    m->order = wfPoolPushArray(pool, count, int32_t);
+    m->list = wfPoolPushArray(pool, count, int32_t);
+    m->rows = wfPoolPushArray(pool, count, int32_t);
+    m->rod = wfPoolPushArray(pool, count, uint8_t);
+    if (m->rod != NULL) memset(m->rod, ROD_SOUND, (size_t)count);
+    m->after = wfPoolPushArray(pool, 2 * count, int32_t);
+    m->own = wfPoolPushArray(pool, count, wfBlock3);
+    wfReal *numbers = wfPoolPushArray(pool, 27 * count, wfReal);
+    wfLine *lines = wfPoolPushArray(pool, 3 * count, wfLine);
+    if (numbers == NULL || lines == NULL) return false;
+    memset(lines, 0, 3 * (size_t)count * sizeof *lines);
+    memset(numbers, 0, 27 * (size_t)count * sizeof *numbers);
+    m->line = (wfLine(*)[3])lines;
+    m->pivot = (wfReal(*)[3])numbers;
+    m->x = m->pivot + count, m->impulse = m->x + count;
+    m->before = m->impulse + count, m->size = m->before + count;
+    m->smooth = m->size + count, m->part = m->smooth + count;
+    m->shift = m->part + count, m->entry = m->shift + count;
+    for (int32_t i = 0; m->head != NULL && m->rank != NULL && i < count; i++)
+        m->head[i] = m->rank[i] = -1;
+    return m->head != NULL && m->rank != NULL && m->order != NULL && m->list != NULL
+        && m->after != NULL && m->own != NULL && m->rows != NULL
+        && m->rod != NULL;
+}
+
+wfMatrix *wfTakeMatrix(int32_t count, int32_t bodies, wfPool *pool)
+{
+    wfMatrix *m = wfPoolPushArray(pool, 1, wfMatrix);
+    if (m == NULL) return NULL;
+    *m = (wfMatrix){ .count = count, .room = count * WF_EXACT_BLOCKS,
+                   .hinge = wfFindJoint("revolute") };
+    m->edge = wfPoolPushArray(pool, 2 * m->room, wfEdge);
+    m->value = wfPoolPushArray(pool, m->room, wfBlock3);
+    m->ratio = wfPoolPushArray(pool, m->room, wfBlock3);
+    if (m->edge == NULL || m->value == NULL || m->ratio == NULL) return NULL;
+    return take_joints(m, count, pool) && take_bodies(m, bodies, pool) ? m : NULL;
+}
+
+/* count what a factorisation takes */
+static void count_pairs(const wfMatrix *m, wfExactCount *out)
+{
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int64_t later = 0;
+        for (int32_t e = m->head[m->order[n]]; e >= 0; e = m->edge[e].next)
+            later += m->rank[m->edge[e].to] > n;
+        out->pairs += later * (later + 1) / 2;
+    }
+}
+
+wfResult wfCountExact(const wfJoint *joints, int32_t count, const wfBodyState *state,
+                      int32_t bodies, wfPool *scratch, wfExactCount *out)
+{
+    if (joints == NULL || state == NULL || scratch == NULL || out == NULL)
+        return WF_ERROR_NULL;
+    size_t mark = wfPoolMark(scratch);
+    wfMatrix *m = wfTakeMatrix(count, bodies, scratch);
+    wfResult result = m == NULL ? WF_ERROR_MEMORY : WF_OK;
+    for (int32_t i = 0; result == WF_OK && i < count; i++) m->list[i] = i;
+    if (result == WF_OK && !wfJoinNeighbours(m, joints, state, m->list, count, m->first,
+                                           m->after))
+        result = WF_ERROR_FULL;
+    wfExactCount found = { .blocks = result == WF_OK ? m->blocks : 0 };
+    if (result == WF_OK && !wfOrderJoints(m, m->list, count, INT64_MAX))
+        result = WF_ERROR_FULL;
+    if (result == WF_OK) {
+        found.fill = m->blocks - found.blocks;
+        count_pairs(m, &found);
+        *out = found;
+    }
+    wfPoolRewind(scratch, mark);
+    return result;
+}

@@ -14,6 +14,12 @@ typedef struct wfWay {
     wfReal lever;               /* of eq:exact-slide */
     wfJointFrame end;
 } wfWay;
+/* Of a body; and what the joints of its machine may still give, at the least of its bodies,
+   J: eq:exact-account. */
+typedef struct wfAccount {
+    double mass, inertia, rest, stored, slope, push, motion;
+    wfJointMotion entry;        /* velocities before the last solution */
+} wfAccount;
 
 /* the matrix of all joints */
 typedef struct wfEdge { int32_t to, block, next; } wfEdge;
@@ -43,9 +49,11 @@ typedef struct wfMatrix {
     wfJointMotion *left; /* [bodies] velocities when we were last done with them */
     wfJointMotion *next;               /* [bodies] what this round is about to add */
     wfWay *way;                   /* [bodies] */
+    wfAccount *account;         /* [bodies] */
     wfReal *bend;               /* [bodies] sum of r.lambda, kg m^2/s: eq:exact-inertia */
     wfReal (*impulse)[3];       /* [count] lambda, N s: half of what the joint does */
     wfReal (*smooth)[3];        /* [count] the same before others answered, N s */
+    wfReal (*entry)[3];         /* [count] the same before the last solution, N s */
     wfReal (*before)[3];        /* [count] what was pushed since the last move, N s */
     wfReal (*size)[3];          /* [count] 1 / what an error is measured by, 1/m or 1/rad */
     wfReal (*part)[3];          /* [count] elastic part of a gap, m or rad: eq:exact-part */
@@ -76,4 +84,5 @@ bool wfOrderJoints(wfMatrix *m, const int32_t *list, int32_t count, int64_t most
 void wfFillJoints(wfMatrix *m, const wfJointSet *set, const wfSolve *in);
 void wfFactorJoints(wfMatrix *m, const wfJointSet *set, const wfSolve *in);
 void wfSolveMatrix(wfMatrix *m);      /* of m->x, in place */
+wfMatrix *wfTakeMatrix(int32_t count, int32_t bodies, wfPool *pool);    /* NULL: no room */
 #endif

@@ -1152,7 +1152,8 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
     set->place = wfPoolPushArray(scratch, bodies, wfJointFrame);
-    *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of, NULL };
+    *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of, NULL,
+                             &set->unsolved };
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
              || set->place == NULL;
     /* take room for plain hinges */

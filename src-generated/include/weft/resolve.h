@@ -52,6 +52,7 @@ typedef struct wfConstraints {
     const void *(*lending)(void *context);
     /* [bodies] 1: of a machine that lies in a heap. NULL or returning NULL: none is. */
     const uint8_t *(*lying)(void *context, const struct wfSolve *in);
+    const int32_t *unsolved;    /* substeps that they could not solve; or NULL */
 } wfConstraints;
 
 enum { WF_REPORT_COURSE = 12 };
