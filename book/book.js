@@ -18,7 +18,16 @@
     show();
   };
 
-  // -- a formula that is wider than the page can be scrolled by keys, too
+  // -- a formula that is a little wider than its column is set smaller; what is still wider than the page can be scrolled by keys, too
+  const fit = () => {
+    for (const m of document.querySelectorAll('.eqm math')) {
+      m.style.fontSize = '';
+      const share = m.clientWidth / m.scrollWidth;
+      if (m.clientWidth && share < 1) m.style.fontSize = 1.03 * Math.max(0.82, 0.99 * share) + 'em';
+    }
+  };
+  fit();
+  if (document.fonts) document.fonts.ready.then(fit);
   for (const e of document.querySelectorAll('.eqm, .eqm math, main math[display="block"], .tbl, pre')) if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
 
   // -- contents

@@ -40,6 +40,7 @@ static void figure_world_three(wfDraw *d, const wfFigureInput *in)
     wfRegion region[WF_REGION_COUNT];
     size_t size[2];
     (void)in;
+    wfDrawView(d, -0.1f, 0, 10.7f, 8.6f);
     def.bodyCapacity = 3;
     def.forceCapacity = 1;
     if (wfWorldRegions(&def, region) != WF_OK) return;
@@ -164,8 +165,8 @@ static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
 }
 
 static const wfFigureRow rows[] = {
-    { "world-block", figure_world_block, 11.4f, 6.1f, 0, {{0}} },
-    { "world-three", figure_world_three, 10.7f, 8.6f, 0, {{0}} },
+    { "world-block", figure_world_block, 11.7f, 6.1f, 0, {{0}} },
+    { "world-three", figure_world_three, 10.8f, 8.6f, 0, {{0}} },
     { "world-ids", figure_world_ids, 9.6f, 3.6f, 0, {{0}} },
     { "world-stages", figure_world_stages, 16.1f, 17.4f, 0, {{0}} },
 };
