@@ -19,16 +19,11 @@
   };
 
   // -- a formula that is a little wider than its column is set smaller; what is still wider than the page can be scrolled by keys, too
-  const fit = () => {
-    for (const m of document.querySelectorAll('.eqm math')) {
-      m.style.fontSize = '';
-      const share = m.clientWidth / m.scrollWidth;
-      if (m.clientWidth && share < 1) m.style.fontSize = 1.03 * Math.max(0.82, 0.99 * share) + 'em';
-    }
-  };
-  fit();
-  if (document.fonts) document.fonts.ready.then(fit);
-  for (const e of document.querySelectorAll('.eqm, .eqm math, main math[display="block"], .tbl, pre')) if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
+  document.fonts.ready.then(() => {
+    const wide = [...document.querySelectorAll('.eqm math')].map(m => [m, m.clientWidth / m.scrollWidth]).filter(x => x[1] < 1);
+    for (const [m, share] of wide) m.style.fontSize = 1.03 * Math.max(0.82, 0.99 * share) + 'em';
+    for (const e of document.querySelectorAll('.eqm, .eqm math, main math[display="block"], .tbl, pre')) if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
+  });
 
   // -- contents
   $('menu').onclick = () => $('menu').setAttribute('aria-expanded', document.body.classList.toggle('menu'));

@@ -11,6 +11,7 @@ plot f skip 3 using ($1==0?$2:NaN):3 with lines title 'fast', '' skip 3 using ($
      '' skip 3 using ($1==2?$2:NaN):3 with lines title 'busy'
 set xlabel 'time, s'
 set title 'a fixed step'
+unset key
 plot f skip 3 using ($1==0?$2:NaN):4 with lines title 'fast', '' skip 3 using ($1==1?$2:NaN):4 with lines title 'plain', \
      '' skip 3 using ($1==2?$2:NaN):4 with lines title 'busy'
 unset multiplot
