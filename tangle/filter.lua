@@ -594,7 +594,7 @@ local function break_names(el)
   for i = 1, #el.colspecs do wide = wide + (longest[i] or 0) + 28 end
   return el:walk { RawInline = function(x)
     if x.text:match("^<code>") then
-      return pandoc.RawInline("html", (("<wbr>" .. x.text):gsub(">([^<]*)<", function(s) return ">" .. s:gsub("(%l%l)(%u%l)", "%1<wbr>%2"):gsub("([_,/(.])", "%1<wbr>") .. "<" end):sub(6)))
+      return pandoc.RawInline("html", (("<wbr>" .. x.text):gsub(">([^<]*)<", function(s) return ">" .. s:gsub("(%l%l)(%u%l)", "%1<wbr>%2"):gsub("%f[%a]wf<wbr>", "wf"):gsub("([_,/(.])", "%1<wbr>") .. "<" end):sub(6)))
     end
   end }, wide > 700
 end
