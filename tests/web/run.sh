@@ -19,4 +19,5 @@ done
 node tests/web/module.mjs build/web build/bin/weft-headless 100 || exit 1
 node tests/web/look.mjs $html "$@" || exit 1
 [ $# -gt 0 ] || { node tests/web/newcomer.mjs $html && node tests/web/touch.mjs $html && node tests/web/drive.mjs $html && node tests/web/files.mjs $html build/bin/weft-headless && node tests/web/keys.mjs $html && node tests/web/address.mjs $html && node tests/web/media.mjs $html; } || exit 1
-node tests/web/pages.mjs $html "$@"
+node tests/web/pages.mjs $html "$@" || exit 1
+[ $# -gt 0 ] || node tests/web/reader.mjs $html
