@@ -598,7 +598,7 @@ TEST(other_laws_have_their_turn)
 {
     wfBodyState s[2] = { body(0, 0, 0, 0, 0, 1, 1), body(1, 0, 0, 0, 0, 1, 1) };
     Log log = { 0 };
-    wfConstraints laws = { &log, log_begin, log_solve, NULL, NULL };
+    wfConstraints laws = { &log, log_begin, log_solve, NULL, NULL, NULL };
     wfPool pool;
     wfSolve in = problem(s, 2, NULL, 0, &pool);
     in.substeps = 2;

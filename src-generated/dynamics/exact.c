@@ -378,13 +378,7 @@ static void find_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in)
 /* The bodies of a machine, in m->first: the least of those that can move. */
 static void number_machines(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
 {
-    for (int32_t n = 0; n < m->bodies; n++) {
-        int32_t b = m->body[n];
-        double mass = (double)in->state[b].invMass, inertia = (double)set->inverse[b];
-        m->first[b] = b;
-        m->account[b] = (wfAccount){ .mass = mass > 0 ? 1 / mass : 0,
-                                     .inertia = inertia > 0 ? 1 / inertia : 0 };
-    }
+    for (int32_t n = 0; n < m->bodies; n++) m->first[m->body[n]] = m->body[n];
     for (int32_t n = 0; n < m->ordered; n++) {
         const wfJoint *j = &set->joints[m->order[n]];
         if (!wfJointMoves(&in->state[j->a]) || !wfJointMoves(&in->state[j->b])) continue;
@@ -409,16 +403,19 @@ static int32_t machine_of(const wfMatrix *m, const wfJointSet *set, const wfSolv
     return m->first[wfJointMoves(&in->state[j->a]) ? j->a : j->b];
 }
 
-/* Twice the kinetic energy of a body with v and, as a scalar product, u. */
-static inline double motion_of(const wfAccount *of, const wfJointMotion *v,
-                               const wfJointMotion *u)
+/* Twice the kinetic energy of body b with v and, as a scalar product, u. */
+static inline double motion_of(const wfSolve *in, const wfJointSet *set, int32_t b,
+                               const wfJointMotion *v, const wfJointMotion *u)
 {
-    return of->mass * ((double)v->v.x * (double)u->v.x + (double)v->v.y * (double)u->v.y)
-         + of->inertia * ((double)v->w * (double)u->w);
+    double mass = (double)in->state[b].invMass, inertia = (double)set->inverse[b];
+    double line = (double)v->v.x * (double)u->v.x + (double)v->v.y * (double)u->v.y;
+    return (mass > 0 ? line / mass : 0)
+         + (inertia > 0 ? (double)v->w * (double)u->w / inertia : 0);
 }
 
 /* Enters the kinetic energy of the velocities v, without the moving, times `sign`. */
-static void enter_motion(wfMatrix *m, const wfJointMotion *v, double sign)
+static void enter_motion(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
+                         const wfJointMotion *v, double sign)
 {
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
@@ -427,7 +424,7 @@ static void enter_motion(wfMatrix *m, const wfJointMotion *v, double sign)
             own.v = wfSub(own.v, m->moving[b].v);
             own.w -= m->moving[b].w;
         }
-        m->account[m->first[b]].rest += sign / 2 * motion_of(&m->account[b], &own, &own);
+        m->rest[m->first[b]] += sign / 2 * motion_of(in, set, b, &own, &own);
     }
 }
 
@@ -445,35 +442,31 @@ static double stored_in(const wfMatrix *m, const wfJointSet *set, int32_t i,
 
 static void open_accounts(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
 {
-    for (int32_t n = 0; n < m->bodies; n++) m->account[m->body[n]].rest = 0;
-    enter_motion(m, m->free, 1);
-    for (int32_t n = 0; n < m->bodies; n++)
-        m->account[m->body[n]].motion = m->account[m->body[n]].rest;
+    for (int32_t n = 0; n < m->bodies; n++) m->rest[m->body[n]] = 0;
+    enter_motion(m, set, in, m->free, 1);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         const wfBodyState *a = &in->state[set->joints[i].a], *b = &in->state[set->joints[i].b];
         const wfBodyState *held = wfJointMoves(a) ? b : a;
         bool driven = !wfJointMoves(held) && (wfLengthSq(held->v) > 0 || held->w * held->w > 0);
-        wfAccount *of = &m->account[machine_of(m, set, in, i)];
-        if (driven) of->rest += WF_EXACT_DRIVEN;
-        else if (!is_apart(set, i)) of->rest += stored_in(m, set, i, m->part[i]);
+        double *rest = &m->rest[machine_of(m, set, in, i)];
+        if (driven) *rest += WF_EXACT_DRIVEN;
+        else if (!is_apart(set, i)) *rest += stored_in(m, set, i, m->part[i]);
     }
 }
 
 /* What m->moving would do to the velocities v, in the accounts. */
-static void weigh_push(wfMatrix *m, const wfJointMotion *v)
+static void weigh_push(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
+                       const wfJointMotion *v)
 {
-    for (int32_t n = 0; n < m->bodies; n++) {
-        wfAccount *of = &m->account[m->body[n]];
-        of->slope = of->push = of->stored = of->motion = 0;
-    }
+    for (int32_t n = 0; n < m->bodies; n++)
+        m->account[m->body[n]] = (wfAccount){ .slope = 0 };
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
-        const wfAccount *own = &m->account[b];
         wfAccount *of = &m->account[m->first[b]];
-        of->slope += motion_of(own, &v[b], &m->moving[b]);
-        of->push += motion_of(own, &m->moving[b], &m->moving[b]) / 2;
-        of->motion += motion_of(own, &v[b], &v[b]) / 2;
+        of->slope += motion_of(in, set, b, &v[b], &m->moving[b]);
+        of->push += motion_of(in, set, b, &m->moving[b], &m->moving[b]) / 2;
+        of->motion += motion_of(in, set, b, &v[b], &v[b]) / 2;
     }
 }
 
@@ -495,7 +488,7 @@ static void try_pushes(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
 static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
 {
     try_pushes(m, set, in, NULL, true);
-    weigh_push(m, m->left);
+    weigh_push(m, set, in, m->left);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         m->account[machine_of(m, set, in, i)].stored +=
@@ -506,8 +499,8 @@ static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
         wfAccount *of = &m->account[b];
         if (m->first[b] != b) continue;
         double bear = of->push / 1000 + 8 * (double)WF_EPSILON * of->motion, spring = 1;
-        double rest = of->rest > 0 ? of->rest : 0;
-        if (of->stored > of->rest + bear)
+        double rest = m->rest[b] > 0 ? m->rest[b] : 0;
+        if (of->stored > m->rest[b] + bear)
             spring = (double)wfSqrt((wfReal)(rest / of->stored));
         rest = rest - spring * spring * of->stored;
         if (!(rest > 0)) rest = 0;
@@ -533,7 +526,7 @@ static void temper(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
                    const wfJointMotion *v)
 {
     try_pushes(m, set, in, m->x, false);
-    weigh_push(m, v);
+    weigh_push(m, set, in, v);
     for (int32_t n = 0; n < m->bodies; n++) {
         const wfAccount *of = &m->account[m->body[n]];
         bool good = !(of->slope + of->push > 8 * (double)WF_EPSILON * of->motion);
@@ -829,8 +822,7 @@ static void give_up(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool first)
     m->lost = true;
     stop_moving(m, in);
     copy_bodies(m, m->free, m->next);
-    for (int32_t n = 0; n < m->bodies && !first; n++)
-        m->next[m->body[n]] = m->account[m->body[n]].entry;
+    if (!first) copy_bodies(m, m->began, m->next);
     if (moves && !first) move_all(m, m->next, -1);
     find_tangent(m, set, in);
     temper(m, set, in, m->next);
@@ -850,23 +842,18 @@ static void give_up(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool first)
 
 static void remember_entry(wfMatrix *m)
 {
-    for (int32_t n = 0; n < m->bodies; n++)
-        m->account[m->body[n]].entry = m->left[m->body[n]];
+    copy_bodies(m, m->left, m->began);
     for (int32_t n = 0; n < m->ordered; n++)
         memcpy(m->entry[m->order[n]], m->impulse[m->order[n]], sizeof *m->entry);
 }
 
 /* Has nobody gained by the first half? */
-static bool is_paid(wfMatrix *m)
+static bool is_paid(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
 {
     bool paid = true;
-    enter_motion(m, m->left, -1);
-    for (int32_t n = 0; n < m->bodies; n++) {
-        const wfAccount *of = &m->account[m->body[n]];
-        if (m->first[m->body[n]] == m->body[n])
-            paid = paid && !(of->rest < -WF_EXACT_UNPAID * of->motion);
-    }
-    enter_motion(m, m->left, 1);
+    enter_motion(m, set, in, m->left, -WF_EXACT_PAID);
+    for (int32_t n = 0; n < m->bodies; n++) paid = paid && !(m->rest[m->body[n]] < 0);
+    enter_motion(m, set, in, m->left, WF_EXACT_PAID);
     return paid;
 }
 
@@ -883,20 +870,20 @@ static void solve_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
         return;
     }
     if (soft && !m->moved) open_accounts(m, set, in);
-    else if (m->moved) enter_motion(m, m->left, 1);
+    else if (m->moved) enter_motion(m, set, in, m->left, 1);
     if (!soft) answer(m, set, in);
     else {
         bool first = !m->moved;
         m->moved = true;
         m->lost = m->pushed = false;
         remember_entry(m);
-        bool solved = newton(m, set, in, dt) < WF_EXACT_LOST && is_paid(m);
+        bool solved = newton(m, set, in, dt) < WF_EXACT_LOST && is_paid(m, set, in);
         if (solved) note_elastic(m, set);
         else give_up(m, set, in, first);
         for (int32_t n = 0; first && n < m->ordered; n++)
             memcpy(m->smooth[m->order[n]], m->impulse[m->order[n]], sizeof *m->smooth);
     }
-    if (m->moved) enter_motion(m, m->left, -1);
+    if (m->moved) enter_motion(m, set, in, m->left, -1);
     note_impulses(m, set, soft || m->moved);
 }
 

@@ -225,7 +225,7 @@ size_t wfExactScratch(int32_t bodies, int32_t joints)
     size_t each = 7 * sizeof(int32_t) + 1 + sizeof(wfBlock3) + 27 * sizeof(wfReal)
                 + 3 * sizeof(wfLine);
     size_t pairs = 2 * sizeof(wfEdge) + 2 * sizeof(wfBlock3);
-    size_t body = 4 * sizeof(wfJointMotion) + sizeof(wfWay) + sizeof(wfAccount)
+    size_t body = 5 * sizeof(wfJointMotion) + sizeof(wfWay) + sizeof(double)
                 + 2 * sizeof(wfReal) + 4 * sizeof(int32_t);
     return sizeof(wfMatrix) + n * each + room * pairs + (size_t)bodies * body
          + 32 * WF_POOL_ALIGN;
@@ -238,14 +238,16 @@ static bool take_bodies(wfMatrix *m, int32_t bodies, wfPool *pool)
     m->next = wfPoolPushArray(pool, bodies, wfJointMotion);
     m->moving = wfPoolPushArray(pool, bodies, wfJointMotion);
     m->way = wfPoolPushArray(pool, bodies, wfWay);
-    m->account = wfPoolPushArray(pool, bodies, wfAccount);
+    m->account = (wfAccount *)(void *)m->way;
+    m->rest = wfPoolPushArray(pool, bodies, double);
+    m->began = wfPoolPushArray(pool, bodies, wfJointMotion);
     m->inverse = wfPoolPushArray(pool, bodies, wfReal);
     m->bend = wfPoolPushArray(pool, bodies, wfReal);
     m->body = wfPoolPushArray(pool, bodies, int32_t);
     m->first = wfPoolPushArray(pool, bodies, int32_t);
     for (int32_t b = 0; m->first != NULL && b < bodies; b++) m->first[b] = -1;
     return m->free != NULL && m->left != NULL && m->next != NULL && m->way != NULL
-        && m->moving != NULL && m->account != NULL
+        && m->moving != NULL && m->rest != NULL && m->began != NULL
         && m->inverse != NULL && m->bend != NULL && m->body != NULL && m->first != NULL;
 }
 

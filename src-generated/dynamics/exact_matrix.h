@@ -14,12 +14,8 @@ typedef struct wfWay {
     wfReal lever;               /* of eq:exact-slide */
     wfJointFrame end;
 } wfWay;
-/* Of a body; and what the joints of its machine may still give, at the least of its bodies,
-   J: eq:exact-account. */
-typedef struct wfAccount {
-    double mass, inertia, rest, stored, slope, push, motion;
-    wfJointMotion entry;        /* velocities before the last solution */
-} wfAccount;
+/* What a push does to a machine, at the least of its bodies, J: eq:exact-share-of-half. */
+typedef struct wfAccount { double slope, push, stored, motion; } wfAccount;
 
 /* the matrix of all joints */
 typedef struct wfEdge { int32_t to, block, next; } wfEdge;
@@ -49,7 +45,9 @@ typedef struct wfMatrix {
     wfJointMotion *left; /* [bodies] velocities when we were last done with them */
     wfJointMotion *next;               /* [bodies] what this round is about to add */
     wfWay *way;                   /* [bodies] */
-    wfAccount *account;         /* [bodies] */
+    wfAccount *account;         /* [bodies] in the room of `way` */
+    double *rest;               /* [bodies] A of a machine, at the least of its bodies, J */
+    wfJointMotion *began;       /* [bodies] velocities before the last solution */
     wfReal *bend;               /* [bodies] sum of r.lambda, kg m^2/s: eq:exact-inertia */
     wfReal (*impulse)[3];       /* [count] lambda, N s: half of what the joint does */
     wfReal (*smooth)[3];        /* [count] the same before others answered, N s */

@@ -1152,8 +1152,8 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
     set->stiffness = wfPoolPushArray(scratch, bodies, wfReal);
     set->inverse = wfPoolPushArray(scratch, bodies, wfReal);
     set->place = wfPoolPushArray(scratch, bodies, wfJointFrame);
-    *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of, NULL,
-                             &set->unsolved };
+    *laws = (wfConstraints){ set, begin_joints, solve_joints, lending_of, NULL, NULL };
+    laws->unsolved = &set->unsolved;
     bool full = set->work == NULL || set->stiffness == NULL || set->inverse == NULL
              || set->place == NULL;
     /* take room for plain hinges */
@@ -1168,8 +1168,7 @@ wfResult wfBeginJoints(wfJointSet *set, int32_t bodies, wfPool *scratch,
     if (full && set->count > 0) return WF_ERROR_MEMORY;
     set->lying = NULL;
     for (int32_t i = 0; i < set->count; i++) forget_step(&set->work[i]);
-    set->last = 0;
-    set->built = false;
+    set->last = 0, set->built = false;
     return WF_OK;
 }
 
