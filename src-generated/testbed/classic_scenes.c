@@ -304,7 +304,7 @@ static void draw_race(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawDashed(d, (float)at.x, (float)at.y - 0.6f, (float)at.x, (float)at.y + 0.9f,
                      1.5f, WF_INK_ACCENT);
         wfDrawTextf(d, -7.6f, (float)race_start(lane).y + 0.6f, 13, WF_INK_TEXT, -1,
-                    "I = %.2f m r^2", (double)k);
+                    "I = %.2f m r²", (double)k);
     }
 }
 
@@ -519,9 +519,9 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     wfVec2 head = wfAdd(foot, wfV2(WF_R(-0.5) * q.s, WF_R(0.5) * q.c));
     wfDrawDashed(d, WF_XY(foot), WF_XY(head), 1, WF_INK_BAD);
     wfDrawText(d, x + 0.3f, y + high, 11, WF_INK_ACCENT, 0, name);
-    write_length(d, x - 1.6f, y - 0.75f, sunk);
-    write_length(d, x + 0.1f, y - 0.75f, crept);
-    wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.0f", 100 * energy);
+    write_length(d, x - 1.6f, y - 0.95f, sunk);
+    write_length(d, x + 0.1f, y - 0.95f, crept);
+    wfDrawTextf(d, x + 1.8f, y - 0.95f, 11, WF_INK_TEXT, 0, "%.0f", 100 * energy);
 }
 
 static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -569,7 +569,7 @@ static const wfScene row[] = {
       .build = build_dominoes, VIEW(0, 2.2, 9.5), SHAPE(1.85), PROMISE(0.1, 0.1) },
     { .category = "Classics", .name = "tumbler", .chapter = "compound",
       .text = "A drum turns and never lets its heap come to rest.",
-      .build = build_tumbler, VIEW(0, 4, 10), PROMISE(-1, 0.2) },
+      .build = build_tumbler, VIEW(0, 4, 10), SHAPE(1), PROMISE(-1, 0.2) },
     { .category = "Classics", .name = "Galton board", .chapter = "classics",
       .text = "Left or right at each peg: the line is the binomial distribution.",
       .define = softly, .build = build_galton, .update = release_a_ball,
@@ -593,7 +593,7 @@ static const wfScene row[] = {
       .define = many_joints, .build = build_breaking_wall,
       VIEW(2, 3, 8), SHAPE(2.2), PROMISE(5, 0.5) },
     { .category = "Classics", .name = "solvers", .chapter = "soft",
-      .text = "A tower, a slope, a ball with e = 1, by every solver. T: more passes.",
-      .build = build_nothing, .draw = draw_solvers, VIEW(7.5, -1.2, 13.8), PROMISE(0, -1) },
+      .text = "A tower, a slope, a ball with e = 1, by every solver.",
+      .build = build_nothing, .draw = draw_solvers, VIEW(7.5, -1.2, 13.8), .change = "More passes", PROMISE(0, -1) },
 };
 const wfSceneGroup wfClassicScenes = { row, sizeof row / sizeof *row };

@@ -273,6 +273,7 @@ static const wfScene row[] = {
     { .category = "Events", .name = "probe", .chapter = "events-and-queries",
       .text = "Rays, the nearest point, and a box that is cast down, asked at every frame.",
       .define = float_softly, .build = build_probe, .draw = draw_probe, VIEW(0, 4, 9),
+      .points = 2,
       PROMISE(-1, 0.2) },
     { .category = "Events", .name = "hits", .chapter = "world",
       .text = "A ring for every hit, as wide as it was fast; a line where a touch begins.",

@@ -428,8 +428,8 @@ static int32_t grains_below(const wfWorld *world)
 static void draw_hourglass(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
-    wfDrawTextf(d, 2.15f, -1.6f, 14, WF_INK_TEXT, 0, "%d below", (int)grains_below(world));
-    wfDrawTextf(d, 2.15f, 1.4f, 14, WF_INK_TEXT, 0, "%d above",
+    wfDrawTextf(d, 1.75f, -1.6f, 14, WF_INK_TEXT, -1, "%d below", (int)grains_below(world));
+    wfDrawTextf(d, 1.75f, 1.4f, 14, WF_INK_TEXT, -1, "%d above",
                 GRAINS - (int)grains_below(world));
 }
 
