@@ -182,7 +182,7 @@ static void begin_again(game *g)
     camera home = { .x = (float)g->scene->viewX, .y = (float)g->scene->viewY,
                     .height = (float)g->scene->viewHeight };
     bool any = false, runs = g->input->steps < 0 && !s->paused;
-    bool left = runs && !s->ends && !s->undo_count && !g->scene->points;
+    bool left = runs && !s->ends && !game_was_changed(s) && !g->scene->points;
     for (int32_t i = 0; i < v.count && left; i++) {
         if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
         any = true;

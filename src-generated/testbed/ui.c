@@ -15,7 +15,7 @@ static void take_keys(ui *u, const game_input *input)
         if (key == GAME_KEY_PAGE_DOWN) m->focus = m->focus % (m->count ? m->count : 1) + 1;
         if (key == GAME_KEY_PAGE_UP) m->focus = m->focus > 1 ? m->focus - 1 : m->count;
         if (key == GAME_KEY_ESCAPE) m->focus = 0, m->open = 0;
-        if (m->focus && !m->edits && key == GAME_KEY_ENTER) u->enter = true;
+        if (m->focus && !m->edits && !m->typing && key == GAME_KEY_ENTER) u->enter = true;
         if (m->focus && key == GAME_KEY_LEFT) u->turn = -1;
         if (m->focus && key == GAME_KEY_RIGHT) u->turn = 1;
         if (m->open && key == GAME_KEY_ENTER) m->open = 0, u->enter = false;
@@ -483,6 +483,7 @@ bool ui_takes(ui_memory *m, int32_t key)
     if (!m->typing) {
         if (key != '/') return false;
         m->typing = 1;
+        m->focus = 0;
         m->query[0] = 0;
         return true;
     }

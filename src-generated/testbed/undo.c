@@ -36,11 +36,26 @@ static bool keep_world(game *g)
     memcpy(to, s->changed, sizeof s->changed);
     memcpy(to + sizeof s->changed, s->wanted, sizeof s->wanted);
     if (wfSnapshotWorld(&g->world, to + WISHES, size, &size) != WF_OK) return false;
-    s->undo[s->undo_count++] = (undo_moment){ end, WISHES + size, wfWorldSteps(&g->world) };
+    s->undo[s->undo_count++] = (undo_moment){ end, WISHES + size, wfWorldSteps(&g->world),
+                                              s->row };
     return true;
 }
 
 /* begin and end a change */
+bool game_was_changed(const game_state *s)
+{
+    return s->undo_at > 0 && s->undo[s->undo_at - 1].row == s->row;
+}
+
+int32_t game_keep_for_undo(game *g, int row)
+{
+    game_state *s = g->state;
+    if (s->challenge || game_scene_at(g, row)->alias) return 0;     /* each try is a new one */
+    s->undo_count = s->undo_at;
+    if (s->opened && game_was_changed(s)) keep_world(g);
+    return s->undo_count;
+}
+
 tool_work game_tools_of(game *g)
 {
     game_state *s = g->state;
@@ -89,12 +104,29 @@ void game_end_edit(game *g)
 }
 
 /* go to a moment of undo */
+static wfResult restore(game *g, const undo_moment *m)
+{
+    const uint8_t *from = g->undo + m->at + WISHES;
+    size_t size = m->size - WISHES;
+    wfResult result = wfRestoreWorld(&g->world, from, size);
+    for (int i = 0; i < 6 && (result == WF_ERROR_FULL || result == WF_ERROR_BUILT_IN); i++)
+        if (game_make_room(g, wfDefaultWorldDef().modules) == WF_OK)
+            result = wfRestoreWorld(&g->world, from, size);
+    return result;
+}
+
 static void go_to(game *g, int32_t to, uint64_t common)
 {
     game_state *s = g->state;
     const undo_moment *m = &s->undo[to];
     const uint8_t *from = g->undo + m->at;
-    s->result = wfRestoreWorld(&g->world, from + WISHES, m->size - WISHES);
+    int32_t count = s->undo_count;
+    if (m->row != s->row) {
+        s->undo_at = s->undo_count = 0;
+        game_open_scene(g, m->row);
+        s->undo_count = count;
+    }
+    s->result = restore(g, m);
     if (s->result != WF_OK) return;
     memcpy(s->changed, from, sizeof s->changed);
     memcpy(s->wanted, from + sizeof s->changed, sizeof s->wanted);
