@@ -35,7 +35,7 @@ const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
 float wfLetterScale(const wfFont *font, float px)
 {
     float scale = px / font->sizes[wfNearestSize(font, px)].px;
-    return scale > 0.9f && scale < 1.1f ? 1 : scale;
+    return scale > 11.f / 12 && scale < 13.f / 12 ? 1 : scale;
 }
 
 float wfTextWidth(const wfFont *font, float px, const char *utf8)
