@@ -32,7 +32,7 @@ static void interface(ui *u, game *g, double seconds)
     strip(u, -2, s->head);
     strip(u, s->height - FOOT - TIME_BAR + 2, FOOT + TIME_BAR);
     game_draw_curves(u, g);
-    if (s->list && !drawer) game_list_panel(u, g);
+    if (s->list && !game_has_drawer(s)) game_list_panel(u, g);
     if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
     float rest = b.right - b.x - 6;

@@ -523,32 +523,24 @@ static void choose_setting(game *g, int i, int row)
     game_begin_others(g);
 }
 
-/* Has this world, or one beside it, this solver already? */
-static bool is_compared(const game *g, int solver, int row)
-{
-    const game_state *s = g->state;
-    wfWorldDef def;
-    bool found = wfGetWorldDef(&g->world, &def) == WF_OK && def.solver == row;
-    for (int i = 0; i < s->worlds - 1; i++)
-        found |= s->differs[i] == solver && s->value[i] == (double)row;
-    return found;
-}
-
 static void choose_worlds(game *g, int worlds)
 {
     game_state *s = g->state;
-    int solver = 0;
-    for (int i = 0; i < wfSettingCount; i++)
+    int solver = 0, substeps = 0;
+    for (int i = 0; i < wfSettingCount; i++) {
         if (strcmp(wfSettingTable[i].name, "solver") == 0) solver = i;
+        if (strcmp(wfSettingTable[i].name, "substeps") == 0) substeps = i;
+    }
     for (int i = s->worlds < 1 ? 0 : s->worlds - 1; i < worlds - 1; i++) {
         choose_setting(g, i, solver);
         s->value[i] = (double)i + (s->value[i] <= (double)i);   /* not its own */
+        bool keeps = wfSolverTable[(int)s->value[i]].step != NULL;
+        if (keeps || wfWorldJointPlaces(&g->world) == 0) continue;
+        choose_setting(g, i, substeps);                 /* it would keep no joint */
+        s->value[i] = i + 1;
     }
     s->worlds = worlds;
     game_begin_others(g);
-    for (int i = 0; i < worlds - 1; i++)                /* one that keeps what is here */
-        for (int k = 0; s->other[i] != WF_OK && k < wfSolverCount; k++)
-            if (!is_compared(g, solver, k)) s->value[i] = (double)k, game_begin_others(g);
 }
 
 static float other_lines(ui *u, game *g, int i, float x, float y, float w)
