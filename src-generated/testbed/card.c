@@ -65,6 +65,7 @@ float game_card(ui *u, game *g, float x)
     float room = s->width - x - 8, y = s->height < LOW ? s->head + 6 : s->head - 10;
     bool first = wfWorldSteps(&g->world) == 0;
     char line[160];
+    if (!u->draw && first && !s->waits && g->input->steps < 0) s->paused = s->waits = 1;
     y = ui_wrapped(u, x, y, room, WF_INK_TEXT, g->scene->text);
     y = ui_wrapped(u, x, y, room, WF_INK_ACCENT, c->may);
     bar b = { x, s->width - 8, x, y - 9, false };
