@@ -267,7 +267,7 @@ static bool last_words(const game *g, char line[200], int *ink)
     snprintf(line, 200, "%s", game_hint_is_low(s) ? HINT :
              s->finger ? "drag bodies, or the view   two fingers: zoom   rest: menu" :
              "?: all keys   drag: hold and throw   right drag: move the view   "
-             "wheel: zoom, or turn what is held   right click: menu");
+             "wheel: zoom   right click: menu");
     return false;
 }
 
@@ -322,7 +322,7 @@ void game_key_sheet(ui *u, const game_state *s, float x)
 #endif
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
         { "arrows", "move the view, or drive" },
-        { "Q and E", "turn the testing body" }, { "T", "change its shape" },
+        { "Q, E, wheel", "turn what is held" }, { "T", "change its shape" },
         { "1 to 0", "show contacts, normals, ..." }, { "D", "dark or light" },
         { "S", "the settings of the world" }, { "/", "find a scene" },
         { "G B Y I", "hand, place, draw, pin" },

@@ -141,7 +141,7 @@ static const wfScene row[] = {
       .define = integrated, .build = build_pyramid, VIEW(0, 2.3, 7), PROMISE(1, 0.2) },
     { .category = "Collision", .name = "tower", .chapter = "soft",
       .text = "Twenty boxes, each a little askew, and the default solver: it stands.",
-      .build = build_tower, VIEW(0, 10, 23), SHAPE(0.75), PROMISE(0.1, 0.02) },
+      .build = build_tower, VIEW(0, 10, 23), PROMISE(0.1, 0.02) },
     { .category = "Collision", .name = "shapes", .chapter = "contacts",
       .text = "Circles and polygons of three to seven corners fall into a bowl.",
       .build = build_shapes, VIEW(0, 3.6, 10), PROMISE(1, 0.4) },
