@@ -118,8 +118,8 @@ int main(int argc, char **argv)
         float scale = stbtt_ScaleForMappingEmToPixels(&font, (float)atof(argv[size]));
         letters = 0;
         for (int r = 0; r < range_count; r++)
-            for (int letter = is_left_out(r) ? 1 + ranges[r].last : ranges[r].first; letter <= ranges[r].last;
-                 letter++, letters++)
+            for (int letter = ranges[r].first;
+                 !is_left_out(r) && letter <= ranges[r].last; letter++, letters++)
                 if (!bake(&font, scale, letter, &s)) {
                     fprintf(stderr, "bake-font: the atlas is full -- bake fewer sizes\n");
                     free(bytes);

@@ -161,7 +161,7 @@ static void press_size(game *g)
 
 static const button_row button_table[] = {
     { "List", NULL, GAME_KEY_TAB, FLAG(list), NULL, "the list of scenes" },
-    { "Tools", NULL, 0, FLAG(bar), NULL, "what a press on the picture does: the row below" },
+    { "Tools", NULL, 0, FLAG(bar), NULL, "what a press does: the row below" },
     { "Pause", "Play", 'p', FLAG(paused), NULL, "stop time, and let it go on" },
     { "Step", NULL, 'o', 0, press_step, "one step" },
     { "Reset", NULL, 'r', 0, press_reset, "the scene from its beginning" },

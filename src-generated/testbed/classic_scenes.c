@@ -595,6 +595,7 @@ static const wfScene row[] = {
       VIEW(2, 3, 8), SHAPE(2.2), PROMISE(5, 0.5) },
     { .category = "Classics", .name = "solvers", .chapter = "soft",
       .text = "A tower, a slope, a ball with e = 1, by every solver.",
-      .build = build_nothing, .draw = draw_solvers, VIEW(7.5, -1.2, 13.8), .change = "More passes", PROMISE(0, -1) },
+      .build = build_nothing, .draw = draw_solvers, VIEW(7.5, -1.2, 13.8),
+      .change = "More passes", PROMISE(0, -1) },
 };
 const wfSceneGroup wfClassicScenes = { row, sizeof row / sizeof *row };

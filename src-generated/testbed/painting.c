@@ -9,7 +9,7 @@
 static void draw_ghosts(game *g, wfDraw *d);        /* of sec:scenes-compare */
 
 /* What the scene draws. Where its view is less than 300 units high its words are smaller,
- * down to 8 units: they stand in a picture of metres, and would come to lie on each other. */
+ * down to 8 units: their places are in metres, and they would come to lie on each other. */
 static void draw_scene(const game *g, const wfWorld *world, wfDraw *d)
 {
     const game_state *s = g->state;

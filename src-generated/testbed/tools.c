@@ -416,7 +416,7 @@ static void complete_joint(const tool_work *w, wfJoint *j, wfVec2 from, wfVec2 t
     }
 }
 
-/* Who pins a body wants the pin to hold: the solver is changed, and undo takes back both. */
+/* A joint needs a solver that keeps it. Undo takes back both. */
 static wfResult choose_solver(tool_work *w, const char *name)
 {
     wfInput in = { .kind = WF_INPUT_SETTING };

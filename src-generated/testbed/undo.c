@@ -50,7 +50,7 @@ bool game_was_changed(const game_state *s)
 int32_t game_keep_for_undo(game *g, int row)
 {
     game_state *s = g->state;
-    if (s->challenge || game_scene_at(g, row)->alias) return 0;     /* each try is a new one */
+    if (s->challenge || game_scene_at(g, row)->alias) return 0; /* each try is new */
     s->undo_count = s->undo_at;
     if (s->opened && game_was_changed(s)) keep_world(g);
     return s->undo_count;
