@@ -226,9 +226,9 @@ void game_buttons(ui *u, game *g, bar *b)
     }
     const char *change = g->scene->change;
     if (change && bar_button(u, b, change, false, "the key T does it, too"))
-        game_obey_key(g, 't');
+        g->state->input.choice++;
     if (g->scene->points > 1 && bar_button(u, b, "Turn it", false, "as the keys Q and E"))
-        for (int i = 0; i < 3; i++) game_obey_key(g, 'q');
+        g->state->input.turn = wfWrapAngle(g->state->input.turn + WF_R(0.3));
 }
 
 bool game_hint_is_low(const game_state *s)

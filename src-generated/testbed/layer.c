@@ -233,10 +233,9 @@ static void grant_wish(layer *l)
     bool good = place_file(l, path, sizeof path);
     if (good) good = f->wish == GAME_FILE_FETCH ? fetch_file(path, f) : keep_file(path, f);
     l->exported += good && f->wish == GAME_FILE_EXPORT;
-    if (good && f->wish != GAME_FILE_FETCH && strcmp(f->name, "settings.txt") != 0) {
-        snprintf(l->said, sizeof l->said, "kept: %.440s", path);
-        l->memory.news = l->said;
-    }
+    bool told = good && f->wish != GAME_FILE_FETCH && strcmp(f->name, "settings.txt") != 0;
+    snprintf(l->said, sizeof l->said, "kept: %.440s", path);
+    if (told) l->memory.news = l->said;
     f->answer = good ? GAME_FILE_DONE : GAME_FILE_FAILED;
 }
 
