@@ -194,6 +194,9 @@ wfJournal *game_begin_edit(void *context, const wfInput *in);
 void game_end_edit(game *g);
 void game_undo(game *g);
 void game_redo(game *g);
+enum { WISHES = sizeof((game_state *)0)->changed + sizeof((game_state *)0)->wanted };
+/* Keeps the world behind undo's other moments; false when it doesn't fit at all. */
+bool game_keep_world(game *g);
 bool game_was_changed(const game_state *s);             /* this scene, by its user */
 /* Another scene, or the same anew, takes the place of this: keeps what was changed in it,
  * and returns how many moments there are then. */
