@@ -122,12 +122,13 @@ TEST(the_hourglass_has_its_numbers_beside_it)
         begin(&p, way ? 1688 : 780, way ? 660 : 1500, 2, 1, "hourglass");
         game_begin_call(&g, &p.memory, &p.in);
         wfDrawInit(&d, memory, sizeof memory);
-        wfDrawView(&d, 0, 0, 1, 1);
-        g.scene->draw(&g.world, &d, &state_of(&p)->input);
+        float view[4];
+        camera_window(&state_of(&p)->camera, (float)p.buffer.width, (float)p.buffer.height, view);
+        game_list_world(&g, &d, view);
         for (int i = 0; i < d.count; i++) {
             const wfDrawCommand *c = wfDrawAt(&d, i);
             if (c->kind != WF_DRAW_TEXT) continue;
-            float at[2], size = 8 * state_of(&p)->scale, wide = wfTextWidth(&wfBakedFont, size, wfDrawString(&d, c));
+            float at[2], size = c->size * state_of(&p)->scale, wide = wfTextWidth(&wfBakedFont, size, wfDrawString(&d, c));
             camera_see(&state_of(&p)->camera, wfDrawPoints(&d, c)[0], wfDrawPoints(&d, c)[1], at);
             at[0] -= 0.5f * (float)(c->anchor + 1) * wide;
             float wall[2];
