@@ -475,6 +475,6 @@ static const wfScene row[] = {
       .define = many_grains, .build = build_hourglass, .update = turn_hourglass,
       .draw = draw_hourglass, .controls = { [WF_LEFT] = "turn left",
                                             [WF_RIGHT] = "turn right" },
-      .viewShape = WF_R(1.05), VIEW(0, 0, 6.2), PROMISE(-1, 0.15) },
+      .viewShape = WF_R(1.3), VIEW(0, 0, 6.2), PROMISE(-1, 0.15) },
 };
 const wfSceneGroup wfMachineScenes = { row, sizeof row / sizeof *row };
