@@ -18,12 +18,19 @@
     show();
   };
 
-  // -- a formula that is wider than the page can be scrolled by keys, too
-  for (const e of document.querySelectorAll('.eqm, .eqm math, main math[display="block"], .tbl, pre')) if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
+  // -- a formula that is a little wider than its column is set smaller; what is still wider than the page can be scrolled by keys, too
+  document.fonts.ready.then(() => {
+    const wide = [...document.querySelectorAll('.eqm math')].map(m => [m, m.clientWidth / m.scrollWidth]).filter(x => x[1] < 1);
+    for (const [m, share] of wide) m.style.fontSize = 1.03 * Math.max(0.82, 0.99 * share) + 'em';
+    for (const e of document.querySelectorAll('.eqm, .eqm math, main math[display="block"], .tbl, pre')) if (e.scrollWidth > e.clientWidth + 1) e.tabIndex = 0;
+  });
 
   // -- contents
-  $('menu').onclick = () => $('menu').setAttribute('aria-expanded', document.body.classList.toggle('menu'));
-  $('toc').addEventListener('click', e => { if (e.target.closest('a')) document.body.classList.remove('menu'); });
+  const drawer = open => $('menu').setAttribute('aria-expanded', document.body.classList.toggle('menu', open));
+  $('menu').onclick = () => drawer();
+  document.addEventListener('click', e => {             // what lies beside the open drawer is covered: a tap there closes it
+    if (document.body.matches('.menu') && (e.target.closest('#toc a') || !e.target.closest('#toc, #menu'))) drawer(false);
+  });
   const current = document.querySelector('#toc .here');
   if (current) $('toc').scrollTop = Math.max(0, current.offsetTop - 120);
   const links = new Map([...document.querySelectorAll('#toc .here ol a')].map(a => [a.hash.slice(1), a]));
@@ -54,20 +61,20 @@
     index(names, rows) { index = { names, rows, titles: new Map(rows.filter(r => r[0] === 'sec').map(r => [r[2] + '#' + r[3], r[1]])), lower: rows.map(r => (r[1] + ' ' + (r[4] || '')).toLowerCase()) }; },
   };
 
-  // -- search: every word must occur; titles count more than text, beginnings more than middles. Names that are no part of the interface come
-  // behind the text, unless what is looked for can only be a name.
-  const weight = { ident: 9, sec: 8, chunk: 6, eq: 6, fig: 5, ex: 4, file: 6, text: 1, private: 0 };
-  const kinds = { ident: 'identifier', private: 'internal', sec: 'section', chunk: 'chunk', eq: 'equation', fig: 'figure', ex: 'exercise', file: 'file', text: 'text' };
+  // -- search: every word must occur; titles count more than text, beginnings more than middles, a whole title (less its number) most.
+  // Names that are no part of the interface come behind the text, unless what is looked for can only be a name.
+  const weight = { ident: 9, sec: 8, gloss: 7, chunk: 6, eq: 6, fig: 5, ex: 4, file: 6, text: 1, private: 0 };
+  const kinds = { ident: 'identifier', private: 'internal', sec: 'section', gloss: 'glossary', chunk: 'chunk', eq: 'equation', fig: 'figure', ex: 'exercise', file: 'file', text: 'text' };
   const find = query => {
     const words = query.toLowerCase().split(/\s+/).filter(Boolean), found = [];
     if (!index || !words.length) return found;
     const name = /_|[a-z][A-Z]/.test(query);
     index.rows.forEach((r, i) => {
-      const all = index.lower[i], title = r[1].toLowerCase();
+      const all = index.lower[i], full = r[1].toLowerCase(), title = r[0] === 'sec' ? full.replace(/^\S* /, '') : full;
       let score = name ? weight[r[0]] : r[0] === 'private' ? -100 : r[0] === 'ident' ? 4 : weight[r[0]];
       for (const w of words) {
         if (!all.includes(w)) return;
-        const at = title.indexOf(w);
+        const at = full.startsWith(w) ? 0 : title.indexOf(w);
         score += title === w || title === 'wf' + w ? 30 : at === 0 ? 12 : at > 0 && /[^a-z0-9]/.test(title[at - 1]) ? 9 : at > 0 ? 5 : 0;
         if (at < 0 && r[0] === 'text') score += Math.min(3, all.split(w).length - 1);
       }
@@ -198,7 +205,7 @@
       pop.style.top = (below ? r.bottom + 6 : r.top - h - 6) + scrollY + 'px';
     }, 380);
   });
-  document.addEventListener('keydown', e => { if (e.key === 'Escape') { close(); document.body.classList.remove('menu'); } });
+  document.addEventListener('keydown', e => { if (e.key === 'Escape') { close(); drawer(false); } });
 
   // -- the code of a chunk, all its pieces one below the other, whichever of them is shown opened just now
   const whole = async href => {

@@ -276,7 +276,7 @@
     const frame = (seconds, steps) => { inside = true; try { draw(seconds, steps); } finally { inside = false; } };
     const draw = (seconds, steps) => {
       // two pixels to a unit at most: the letters are baked for one and two, and a telephone has no time for three
-      const scale = Math.max(1, Math.min(2, devicePixelRatio || 1)), box = canvas.getBoundingClientRect(), bare = !options.whole && box.width < 560;
+      const scale = Math.max(1, Math.min(2, devicePixelRatio || 1)), box = canvas.getBoundingClientRect(), bare = !options.whole && (game.bare || box.width < 560);
       if (looks !== (looks = `${finger}${bare}`)) { const f = finger; act(x => x.web_looks(f ? 1 : 0, bare ? 1 : 0)); }
       const w = Math.max(64, Math.round(box.width * scale)), h = Math.max(64, Math.round(box.height * scale));
       const night = document.documentElement.dataset.theme === 'dark';
@@ -423,6 +423,25 @@
   const makeScene = figure => {
     const pic = figure.querySelector('.pic'), frozen = pic.firstElementChild;
     let canvas = null, game = null, wanted = false;
+    // The world stays as large as in the frozen picture, and where it is: what the bars around it take is added to the canvas.
+    const measure = () => {
+      game.frame(0, 0);
+      const told = game.describe(), k = canvas.width / canvas.getBoundingClientRect().width;
+      const [a, ...rest] = [...told.matchAll(/^body \d+ x (\S+) y (\S+) pixel (\S+) (\S+)$/mg)].map(m => m.slice(1).map(Number));
+      const apart = (b, i) => Math.hypot(b[i] - a[i], b[i + 1] - a[i + 1]);
+      const b = rest.reduce((far, b) => apart(b, 0) > apart(far, 0) ? b : far, a);
+      return b !== a && { room: apart(b, 2) / apart(b, 0) / k * told.match(/^view \S+ \S+ (\S+)$/m)[1], top: a[3] / k };
+    };
+    const keepSize = async box => {
+      game.bare = true;
+      game.frame(0, 0);
+      if (!game.describe()) await game.more();         // the scene is in the rest
+      const was = measure();
+      game.bare = false;
+      let now = measure(), high = canvas.getBoundingClientRect().height;
+      for (let i = 0; i < 2 && was && now && was.room > now.room + 1; i++, now = measure()) canvas.style.aspectRatio = box.width + '/' + (high += was.room - now.room);
+      if (was && now) scrollBy({ top: now.top - was.top, behavior: 'instant' });
+    };
     const start = async () => {
       if (!canvas) {
         const box = frozen.getBoundingClientRect();
@@ -435,11 +454,12 @@
         frozen.style.display = 'none';
         pic.append(canvas);
         game = await makeGame(canvas, figure.dataset.scene);
+        await keepSize(box);
         running.push(figure);
         if (running.length > 3) running.shift().liveEnd();
       }
       wanted = true;
-      game.run();
+      if (game) game.run();
     };
     const play = button('Run it', 'run this simulation here', () => {
       if (wanted) { wanted = false; if (game) game.stop(); } else start();

@@ -578,6 +578,27 @@ local function fit_columns(el)
   for j, spec in ipairs(el.colspecs) do el.colspecs[j] = html and { spec[1] } or { spec[1], most[j] / all } end
 end
 
+-- On a page a name in a table may break as it may in print, where there is no room for it (book.css): on a phone, and in a table whose longest
+-- words leave the text beside them less than a column. Letters are some 8 px wide, a table 750, what surrounds a cell 28.
+local function break_names(el)
+  local longest, wide = {}, 0
+  for _, body in ipairs(el.bodies) do
+    for _, row in ipairs(body.body) do
+      for i, cell in ipairs(row.cells) do
+        cell.contents:walk {
+          RawInline = function(x) for w in x.text:gsub("<[^>]*>", ""):gmatch("%S+") do longest[i] = math.max(longest[i] or 0, 8 * #w) end end,
+          Str = function(x) longest[i] = math.max(longest[i] or 0, 8 * #x.text) end }
+      end
+    end
+  end
+  for i = 1, #el.colspecs do wide = wide + (longest[i] or 0) + 28 end
+  return el:walk { RawInline = function(x)
+    if x.text:match("^<code>") then
+      return pandoc.RawInline("html", (("<wbr>" .. x.text):gsub(">([^<]*)<", function(s) return ">" .. s:gsub("(%l%l)(%u%l)", "%1<wbr>%2"):gsub("%f[%a]wf<wbr>", "wf"):gsub("([_,/(.])", "%1<wbr>") .. "<" end):sub(6)))
+    end
+  end }, wide > 700
+end
+
 local function table_block(el)
   fit_columns(el)
   local last = el.caption.long[#el.caption.long]
@@ -596,7 +617,9 @@ local function table_block(el)
   el.caption.long = pandoc.List {}
   local r = pandoc.List {}
   if html then
-    r:insert(rawb('<div class="tbl"' .. (id and ' id="' .. id .. '"' or "") .. ">"))
+    local tight
+    el, tight = break_names(el)
+    r:insert(rawb('<div class="tbl' .. (tight and " tight" or "") .. '"' .. (id and ' id="' .. id .. '"' or "") .. ">"))
     r:insert(el)
     r:insert(rawb('<div class="cap">' .. (l and (l.online and '<b class="online">' or "<b>") .. "Table " .. l.num .. ".</b> " or "")))
     r:insert(pandoc.Plain(caption))

@@ -1075,8 +1075,9 @@ if not how then
     if term and not labels[id] then book:complain("book/glossary.tsv", n, "nothing is labelled " .. id, "name a label of the section that explains it")
     elseif term then
       glossary[#glossary + 1] = { term = term, id = id }
-      t[#t + 1] = "**" .. term .. "**: " .. meaning .. " (@" .. id .. ").\n\n"
-      search[#search + 1] = { kind = "sec", title = term, page = "glossary.html", text = meaning }
+      local at = "g-" .. term:gsub("%W+", "-")
+      t[#t + 1] = '`<dfn id="' .. at .. '">`{=html}**' .. term .. "**`</dfn>`{=html}: " .. meaning .. " (@" .. id .. ").\n\n"
+      search[#search + 1] = { kind = "gloss", title = term, page = "glossary.html", id = at, text = meaning }
     elseif l:match("^[^#]") then book:complain("book/glossary.tsv", n, "this is no row", "write term, meaning and label, parted by tabs") end
   end
   os.execute("mkdir -p " .. sh(out))

@@ -1,7 +1,7 @@
 # accuracy-tolerance: the true error of what was chosen, against the tolerance that was asked for: floats left, doubles right.
 plot_height = 460
 load 'book/plots/style.gp'
-set multiplot layout 1,2 margins 0.12,0.98,0.28,0.92 spacing 0.03,0
+set multiplot layout 1,2 margins 0.15,0.98,0.28,0.91 spacing 0.03,0
 set logscale xy
 set termoption enhanced
 set format x '10^{%T}'

@@ -92,6 +92,6 @@ static void figure_exact_arch(wfDraw *d, const wfFigureInput *in)
 }
 
 static const wfFigureRow rows[] = {
-    { "exact-arch", figure_exact_arch, 8.0f, 4.4f, 1, { { 0.0f, 3.13f } } },
+    { "exact-arch", figure_exact_arch, 8.0f, 4.4f, 1, { { 4.0f, 3.13f } } },
 };
 const wfFigureSet exact_figures = WF_ROWS(rows);

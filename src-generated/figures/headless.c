@@ -189,7 +189,7 @@ static void figure_scenes_classics(wfDraw *d, const wfFigureInput *in)
 static void figure_scenes_solvers(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
-    wfDrawView(d, -2.6f, -12, 12.6f, 4.6f);
+    wfDrawView(d, -2.6f, -8.2f, 17.6f, 5.8f);
     draw_scene(d, "solvers", 149, 0);
 }
 
@@ -362,6 +362,7 @@ static void draw_pull(wfDraw *d, float zeta, int role, const char *name, float t
 static void figure_scenes_hand(wfDraw *d, const wfFigureInput *in)
 {
     (void)in;
+    wfDrawView(d, -0.2f, 0, 8.9f, 4.4f);
     wfDrawArrow(d, 0.8f, 0.4f, 8, 0.4f, 1.5f, WF_INK_LINE);
     wfDrawArrow(d, 0.8f, 0.4f, 0.8f, 4.2f, 1.5f, WF_INK_LINE);
     wfDrawDashed(d, 0.8f, 3, 7.8f, 3, 1.5f, WF_INK_FAINT);
@@ -413,12 +414,12 @@ static const wfFigureRow rows[] = {
     { "scenes-motion", figure_scenes_motion, 8.4f, 3.2f, 0, { { 0 } } },
     { "scenes-forces", figure_scenes_forces, 8.4f, 6.4f, 0, { { 0 } } },
     { "scenes-classics", figure_scenes_classics, 8.4f, 9.6f, 0, { { 0 } } },
-    { "scenes-solvers", figure_scenes_solvers, 15.2f, 16.6f, 0, { { 0 } } },
+    { "scenes-solvers", figure_scenes_solvers, 20.2f, 14.0f, 0, { { 0 } } },
     { "scenes-collision", figure_scenes_collision, 8.4f, 9.6f, 0, { { 0 } } },
     { "scenes-joints", figure_scenes_joints, 8.4f, 9.6f, 0, { { 0 } } },
     { "scenes-fast", figure_scenes_fast, 12.6f, 3.2f, 0, { { 0 } } },
     { "scenes-cases", figure_scenes_cases, 8.4f, 9.6f, 0, { { 0 } } },
-    { "scenes-hand", figure_scenes_hand, 8.9f, 4.4f, 0, { { 0 } } },
+    { "scenes-hand", figure_scenes_hand, 9.1f, 4.4f, 0, { { 0 } } },
     { "scenes-axis", figure_scenes_axis, 12.4f, 8.4f, 0, { { 0 } } },
     { "scenes-tree", figure_scenes_tree, 10.6f, 6.8f, 0, { { 0 } } },
     { "scenes-integrators", figure_scenes_integrators, 12.6f, 9.4f, 0, { { 0 } } },

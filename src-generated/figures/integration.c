@@ -84,7 +84,7 @@ static void figure_int_step_spring(wfDraw *d, const wfFigureInput *in)
         if (n >= 2) wfDrawPolyline(d, xy, n, 1.5f, ink[k]);
         for (int i = 0; i < n && steps < 100; i++)
             wfDrawPoint(d, xy[2 * i], xy[2 * i + 1], 3, ink[k]);
-        wfDrawText(d, 1.6f * (float)k + 0.1f, 5.25f, 11, ink[k], -1, method[k]);
+        wfDrawText(d, 1.6f * (float)k + 0.02f, 5.25f, 11, ink[k], -1, method[k]);
     }
     wfDrawTextf(d, 4, 0.5f, 13, WF_INK_TEXT, 0, "step times omega: %.2f", (double)h);
 }

@@ -181,7 +181,7 @@ static void figure_shapes_axis(wfDraw *d, const wfFigureInput *in)
     figShape(d, &s, wfTransformIdentity(), 2, WF_INK_LINE, WF_INK_BODY);
     wfDrawDashed(d, WF_XY(q), WF_XY(m.centre), 1.5f, WF_INK_ACCENT);
     wfVec2 middle = wfLerp(q, m.centre, 0.5f);
-    wfDrawText(d, (float)middle.x, (float)middle.y + 0.15f, 14, WF_INK_ACCENT, 0, "d");
+    wfDrawText(d, (float)middle.x, (float)middle.y + 0.15f, 14, WF_INK_TEXT, 0, "d");
     wfDrawPoint(d, WF_XY(m.centre), 8, WF_INK_LINE);
     wfDrawPoint(d, WF_XY(q), 8, WF_INK_ACCENT);
     wfDrawText(d, (float)m.centre.x + 0.15f, (float)m.centre.y, 14, WF_INK_TEXT, -1, "c");

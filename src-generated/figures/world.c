@@ -40,6 +40,7 @@ static void figure_world_three(wfDraw *d, const wfFigureInput *in)
     wfRegion region[WF_REGION_COUNT];
     size_t size[2];
     (void)in;
+    wfDrawView(d, -0.1f, 0, 10.7f, 8.6f);
     def.bodyCapacity = 3;
     def.forceCapacity = 1;
     if (wfWorldRegions(&def, region) != WF_OK) return;
@@ -144,7 +145,7 @@ static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
 {
     float y = flowTop;
     (void)in;
-    wfDrawView(d, -3.9f, 0, 12.2f, 17.4f);
+    wfDrawView(d, -3.9f, -0.1f, 12.2f, 17.4f);
     for (int i = 0; i < wfStageCount; i++) {
         float x = flowWide * ((float)i + 0.5f);
         float high = flowTop + 0.3f + 0.33f * (float)(FLOW_LEVELS - 1 - i % FLOW_LEVELS);
@@ -164,9 +165,9 @@ static void figure_world_stages(wfDraw *d, const wfFigureInput *in)
 }
 
 static const wfFigureRow rows[] = {
-    { "world-block", figure_world_block, 11.4f, 6.1f, 0, {{0}} },
-    { "world-three", figure_world_three, 10.7f, 8.6f, 0, {{0}} },
+    { "world-block", figure_world_block, 11.7f, 6.1f, 0, {{0}} },
+    { "world-three", figure_world_three, 10.8f, 8.6f, 0, {{0}} },
     { "world-ids", figure_world_ids, 9.6f, 3.6f, 0, {{0}} },
-    { "world-stages", figure_world_stages, 16.1f, 17.4f, 0, {{0}} },
+    { "world-stages", figure_world_stages, 16.1f, 17.5f, 0, {{0}} },
 };
 const wfFigureSet world_figures = WF_ROWS(rows);

@@ -172,6 +172,25 @@ do
   print(#db.glossary .. " words in the glossary")
 end
 
+--------------------------------------- one letter, one thing: p is a place, g the acceleration of gravity, s a gap (the table of symbols)
+do
+  local n = 0
+  for path in io.popen("ls chapters/" .. db.volumes[1].name .. "/*.nw"):lines() do
+    local code = false
+    for line in io.lines(path) do
+      if line:match("^<<.*>>=%s*$") then code = true elseif line:match("^@%s") or line == "@" then code = false end
+      for formula in (code and "" or line):gsub("%$%$", "$"):gmatch("%$([^$]+)%$") do
+        local bare = formula:gsub("\\vec%s*{?%s*%a}?", ""):gsub("\\%a+%s*{[%a ]*}", ""):gsub("\\%a+", " ")
+        n = n + 1
+        if (bare .. " "):find("%f[%a]p[^%a_]") and not path:find("/20-") then bad("%s: p is a place and no number, in $%s$", path, formula) end
+        if bare:find("%f[%a]g_") then bad("%s: g is the acceleration of gravity alone, in $%s$", path, formula) end
+      end
+    end
+  end
+  if n < 1000 then bad("only %d formulas were read", n) end
+  print(n .. " formulas keep to the table of symbols")
+end
+
 --------------------------------------------------- the subject index and the list of formulas: of the volumes as they are printed
 do
   local said = {}

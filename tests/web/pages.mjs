@@ -31,6 +31,7 @@ const tryFigure = async (page, figure, name, where, frozen) => {
     await grip.scrollIntoViewIfNeeded();
     const b = await grip.boundingBox(), pic = await figure.locator('svg').first().boundingBox();
     const x = b.x + b.width / 2, y = b.y + b.height / 2;
+    check(x - 7 >= pic.x && y - 7 >= pic.y && x + 7 <= pic.x + pic.width && y + 7 <= pic.y + pic.height, `${where}: handle ${i + 1} of ${name} stands in the figure's border`);
     const dx = x - pic.x > pic.width / 2 ? -100 : 100, dy = y - pic.y > pic.height / 2 ? -34 : 34;
     await page.mouse.move(x, y);
     await page.mouse.down();

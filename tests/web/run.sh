@@ -17,5 +17,7 @@ for m in testbed $(cd build/web && ls figures-*.wasm.lzma | sed 's/\.wasm\.lzma$
   [ "$n" -le 150000 ] || { echo "web: with the script $m weighs $n bytes, more than 150000 (make the list of the testbed's first part anew: tests/web/weight.sh; or leave a scene to the second: late, in tests/web/visit.mjs)"; exit 1; }
 done
 node tests/web/module.mjs build/web build/bin/weft-headless 100 || exit 1
+node tests/web/look.mjs $html "$@" || exit 1
 [ $# -gt 0 ] || { node tests/web/newcomer.mjs $html && node tests/web/touch.mjs $html && node tests/web/drive.mjs $html && node tests/web/files.mjs $html build/bin/weft-headless && node tests/web/keys.mjs $html && node tests/web/address.mjs $html && node tests/web/media.mjs $html; } || exit 1
-node tests/web/pages.mjs $html "$@"
+node tests/web/pages.mjs $html "$@" || exit 1
+[ $# -gt 0 ] || node tests/web/reader.mjs $html
