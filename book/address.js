@@ -11,8 +11,9 @@
   game.own = (wish, name, bytes) => {
     if (wish === 3 && name === 'link.save') { copy(bytes); return bytes; }
     if (wish === 3 && name === 'scene.json') { write(bytes); return bytes; }
-    if (wish === 2 && name === 'scene.json') { choose(); return new Uint8Array(0); }
-    if (wish !== 2 || name !== 'world.save' || !linked) return null;
+    if (wish === 2 && name === 'scene.json') return choose('.json,application/json');
+    if (wish !== 2 || name !== 'world.save') return null;
+    if (!linked) return localStorage.getItem('weft/world.save') === null ? choose('.save') : null;
     const came = linked;
     linked = null;
     return came;
@@ -37,18 +38,20 @@
       game.open(game.word(at));
       game.frame(0, 0);
       game.key(104);                                   // Home: another file may have stood there
-    } catch (e) { say(`${name}: ${e.message}`); }
+    } catch (e) { say(`!${name}: ${e.message}`); }
   };
-  const choose = () => {
-    const chooser = Object.assign(document.createElement('input'), { type: 'file', accept: '.json,application/json' });
-    chooser.onchange = async () => { const file = chooser.files[0]; if (file) read(new Uint8Array(await file.arrayBuffer()), file.name); };
+  const choose = accept => {
+    const chooser = Object.assign(document.createElement('input'), { type: 'file', accept });
+    chooser.onchange = () => take(chooser.files[0]);
     chooser.click();
     say('which file?');
+    return new Uint8Array(0);
   };
   const copy = async bytes => {
     const packed = letters(await through(bytes, new CompressionStream('deflate-raw')));
-    if (packed.length > MOST) { game.handOut(bytes, 'world.save'); return; }
+    if (packed.length > MOST) { game.handOut(bytes, 'world.save'); say('too large for a link: handed out as world.save'); return; }
     game.copied = location.href.replace(/#.*/, '') + '#' + link() + '&world=' + packed;
+    say(`the link is copied: ${game.copied.length} letters`);
     try { await navigator.clipboard.writeText(game.copied); } catch (e) { window.prompt('the link', game.copied); }
   };
   // the scene of an address; the name of a challenge's says so
@@ -83,12 +86,11 @@
     shown = now;
   };
   const came = async hash => { going = true; await go(hash); shown = link(); going = false; };
-  // a file that is dropped on the page goes to the game by its card; what it is, and what is wrong with it, the game says
+  // a file that is chosen or dropped on the page goes to the game by its card; what it is, and what is wrong with it, the game says
   addEventListener('dragover', e => { if (e.dataTransfer.types.includes('Files')) e.preventDefault(); });
-  addEventListener('drop', async e => {
-    const file = e.dataTransfer.files[0];
+  addEventListener('drop', e => { if (e.dataTransfer.files[0]) e.preventDefault(); take(e.dataTransfer.files[0]); });
+  const take = async file => {
     if (!file) return;
-    e.preventDefault();
     const bytes = new Uint8Array(await file.slice(0, 1 << 24).arrayBuffer()), name = file.name.replace(/[^ -~]/g, '-').slice(-39);
     await game.more();
     if (/\.json$/i.test(name)) { read(bytes, name); return; }
@@ -100,7 +102,7 @@
     };
     for (let i = 0; i < 9 && !game.act(give); i++) game.frame(0, 0);       // its settings may be on the card
     game.frame(0, 0);
-  });
+  };
   if (/[=&]/.test(location.hash)) came(location.hash.slice(1));
   setInterval(follow, 500);
   addEventListener('popstate', () => came(location.hash.slice(1) || first));

@@ -287,6 +287,10 @@
       if (canvas.width !== w || canvas.height !== h) { canvas.width = w; canvas.height = h; }
       frames++;
       idle = x.web_still();
+      if (options.whole && dark !== !!x.web_dark()) {  // Dark was pressed in the picture: the page goes along
+        dark = !dark;
+        document.documentElement.dataset.theme = dark ? 'dark' : 'light';
+      }
       const cursor = ['', 'pointer', 'grab', 'crosshair'][x.web_cursor()] || '';
       if (canvas.style.cursor !== cursor) canvas.style.cursor = cursor;
       pen.putImageData(new ImageData(new Uint8ClampedArray(x.memory.buffer, at, 4 * w * h), w, h), 0, 0);
@@ -353,7 +357,7 @@
       const wanted = finger && !stuck && x.web_letters();
       if (wanted && !letters) {
         letters = document.createElement('input');
-        letters.className = 'letters'; letters.autocapitalize = 'off'; letters.autocomplete = 'off'; letters.setAttribute('aria-label', 'find a scene');
+        letters.className = 'letters'; letters.autocapitalize = 'off'; letters.autocomplete = 'off'; letters.setAttribute('aria-label', 'letters for the testbed');
         letters.oninput = e => {
           if (e.inputType === 'deleteContentBackward') act(x => x.web_key(8));
           else for (const c of e.data || '') if (c >= ' ' && c < '\x7f') { const k = c.charCodeAt(0); act(x => x.web_key(k)); }

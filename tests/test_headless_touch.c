@@ -67,7 +67,7 @@ TEST(the_list_is_a_drawer)
     play_run(&p, "finger 1\nsteps 0\nscene spring-and-orbit\nframe\nframe\n");
     press(&p, "List");
     assert_null(strstr(p.text, "widget contacts "));
-    assert_non_null(strstr(p.text, "widget explosion "));
+    assert_non_null(strstr(p.text, "widget spring net "));
     play_end(&p);
 }
 

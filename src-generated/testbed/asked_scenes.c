@@ -179,7 +179,8 @@ static const wfScene row[] = {
       VIEW(0, 2.25, 9.0), PROMISE(0, -1) },
     { .category = "Asked", .name = "lift", .chapter = "joints",
       .text = "A cabin and its counterweight, two slides tied by a linkage. A crate falls in.",
-      .define = jointly, .build = build_lift, .draw = draw_lift, VIEW(0, 3.2, 9),
+
+       .define = jointly, .build = build_lift, .draw = draw_lift, VIEW(0, 3.2, 9), SHAPE(1.35),
       PROMISE(0.5, 0.2) },
 };
 const wfSceneGroup wfAskedScenes = { row, sizeof row / sizeof *row };

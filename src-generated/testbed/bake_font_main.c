@@ -9,7 +9,7 @@
 #include <stb_truetype.h>
 
 static const struct { int first, last; } ranges[] = {
-    { 0x20, 0x7e }, { 0xa0, 0xff },          /* Latin */
+    { 0x20, 0x7e }, { 0xa0, 0xb1 }, { 0xb2, 0xb2 }, { 0xb3, 0xff },         /* Latin */
     { 0x391, 0x3a9 }, { 0x3b1, 0x3c9 },      /* Greek */
     { 0x2013, 0x2014 }, { 0x2018, 0x201d }, { 0x2022, 0x2022 }, { 0x2026, 0x2026 },
     { 0x2032, 0x2033 }, { 0x2070, 0x2070 }, { 0x2074, 0x208e },  /* primes, small digits */
@@ -19,8 +19,12 @@ static const struct { int first, last; } ranges[] = {
     { 0x2248, 0x2248 }, { 0x2260, 0x2260 }, { 0x2264, 0x2265 }, { 0x22a5, 0x22a5 },
     { 0x25b6, 0x25b6 }, { 0x25bc, 0x25bc }, { 0x2713, 0x2713 }, { 0xfffd, 0xfffd },
 };
-static int range_count = sizeof ranges / sizeof *ranges;
-static int shades = 256;
+static int range_count = sizeof ranges / sizeof *ranges, few, shades = 256;
+
+static int is_left_out(int r)           /* of a page: all but ASCII, a square, U+FFFD */
+{
+    return few && r != 0 && r != 2 && r != range_count - 1;
+}
 enum { ATLAS_WIDTH = 1024, ATLAS_HEIGHT = 2048 };
 static unsigned char atlas[ATLAS_WIDTH * ATLAS_HEIGHT];
 typedef struct shelf { int x, y, height; } shelf;
@@ -98,7 +102,7 @@ int main(int argc, char **argv)
     shelf s = { 0, 0, 0 };
     int letters = 0;
     if (argc > 1 && strcmp(argv[1], "--ascii") == 0) {
-        range_count = 1;
+        few = 1;
         shades = 16;
         argc--, argv++;
     }
@@ -114,8 +118,8 @@ int main(int argc, char **argv)
         float scale = stbtt_ScaleForMappingEmToPixels(&font, (float)atof(argv[size]));
         letters = 0;
         for (int r = 0; r < range_count; r++)
-            for (int letter = ranges[r].first; letter <= ranges[r].last;
-                 letter++, letters++)
+            for (int letter = ranges[r].first;
+                 !is_left_out(r) && letter <= ranges[r].last; letter++, letters++)
                 if (!bake(&font, scale, letter, &s)) {
                     fprintf(stderr, "bake-font: the atlas is full -- bake fewer sizes\n");
                     free(bytes);

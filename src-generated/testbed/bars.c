@@ -22,40 +22,40 @@ static float list_room(const game_state *s)
     return s->height - LIST_TOP - (alone ? 8 : LIST_BOTTOM);
 }
 
-static float list_length(const game *g)
+static float list_length(const ui *u, const game *g)
 {
     int rows = game_scene_count(g);
     for (int i = 0; i < game_scene_count(g); i++)
         if (i == 0 || strcmp(game_scene_at(g, i)->category,
                              game_scene_at(g, i - 1)->category) != 0)
             rows++;
-    return (float)(rows * ROW);
+    return (float)rows * ui_row_high(u);
 }
 
-static void reveal_row(game_state *s, float y, float room)
+static void reveal_row(game_state *s, float y, float each, float room)
 {
-    if (y + ROW > LIST_TOP + room) s->scroll += y + ROW - (LIST_TOP + room);
-    if (y < LIST_TOP) s->scroll -= LIST_TOP - y;
+    if (y + 2 * each > LIST_TOP + room || y - each < LIST_TOP)
+        s->scroll += y - LIST_TOP - room / 2;
     s->reveal = 0;
 }
 
 static int list_scenes(ui *u, game *g)
 {
     game_state *s = g->state;
-    float room = list_room(s), y = LIST_TOP - s->scroll;
+    float room = list_room(s), y = LIST_TOP - s->scroll, each = ui_row_high(u);
     int chosen = -1;
     for (int i = 0; i < game_scene_count(g); i++) {
         const wfScene *scene = game_scene_at(g, i);
         if (i == 0 || strcmp(scene->category, game_scene_at(g, i - 1)->category) != 0) {
-            if (y >= LIST_TOP && y + ROW <= LIST_TOP + room)
-                ui_text(u, 10, y + 14, 13, WF_INK_ACCENT, -1, scene->category);
-            y += ROW;
+            if (y >= LIST_TOP && y + each <= LIST_TOP + room)
+                ui_text(u, 10, y + each - 5, 13, WF_INK_ACCENT, -1, scene->category);
+            y += each;
         }
-        if (i == s->row && s->reveal) reveal_row(s, y, room);
-        if (y >= LIST_TOP && y + ROW <= LIST_TOP + room &&
+        if (i == s->row && s->reveal) reveal_row(s, y, each, room);
+        if (y >= LIST_TOP && y + each <= LIST_TOP + room &&
             ui_row(u, scene->name, 8, y, LIST_WIDTH - 16, i == s->row))
             chosen = i;
-        y += ROW;
+        y += each;
     }
     return chosen;
 }
@@ -73,9 +73,9 @@ static int list_found(ui *u, game *g)
 {
     const game_state *s = g->state;
     bool told[512] = { false };
-    float y = LIST_TOP, room = list_room(s);
+    float y = LIST_TOP, room = list_room(s), each = ui_row_high(u);
     int chosen = -1, count = game_scene_count(g) < 512 ? game_scene_count(g) : 512;
-    for (int rank = 0; y + ROW <= LIST_TOP + room; rank++, y += ROW) {
+    for (int rank = 0; y + each <= LIST_TOP + room; rank++, y += each) {
         float most = -1;
         int best = -1;
         for (int i = 0; i < count; i++) {
@@ -127,7 +127,7 @@ void game_list_panel(ui *u, game *g)
     }
     float y = s->height - LIST_BOTTOM + 14, room = list_room(s);
     if (!s->ui.query[0])
-        bar_thumb(u, LIST_WIDTH - 5, LIST_TOP, room, list_length(g), s->scroll);
+        bar_thumb(u, LIST_WIDTH - 5, LIST_TOP, room, list_length(u, g), s->scroll);
     if (list_room(s) <= s->height - LIST_TOP - LIST_BOTTOM) {
         ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
         for (int i = 0; i < wfOverlayCount; i++) {
@@ -142,7 +142,7 @@ void game_list_panel(ui *u, game *g)
     }
     if (ui_inside(u, 0, 0, LIST_WIDTH, s->height)) {
         u->over = true;
-        float most = list_length(g) - room;
+        float most = list_length(u, g) - room;
         if (!u->draw) s->scroll -= g->input->wheel * 3 * ROW + game_finger_way(u, g);
         if (s->scroll > most) s->scroll = most;
         if (s->scroll < 0) s->scroll = 0;
@@ -153,11 +153,15 @@ static void press_step(game *g) { g->state->paused = g->state->single = 1; }
 static void press_reset(game *g) { game_open_scene(g, g->state->row); }
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
 static void press_next(game *g) { game_open_scene(g, g->state->row + 1); }
-static void press_size(game *g) { g->state->letters = (g->state->letters + 1) % UI_SIZES; }
+static void press_size(game *g)
+{
+    g->state->letters = (g->state->letters + 1) % UI_SIZES;
+    g->state->reveal = 1;
+}
 
 static const button_row button_table[] = {
     { "List", NULL, GAME_KEY_TAB, FLAG(list), NULL, "the list of scenes" },
-    { "Tools", NULL, 0, FLAG(bar), NULL, "what the mouse can do: the row below" },
+    { "Tools", NULL, 0, FLAG(bar), NULL, "what a press does: the row below" },
     { "Pause", "Play", 'p', FLAG(paused), NULL, "stop time, and let it go on" },
     { "Step", NULL, 'o', 0, press_step, "one step" },
     { "Reset", NULL, 'r', 0, press_reset, "the scene from its beginning" },
@@ -220,12 +224,58 @@ void game_buttons(ui *u, game *g, bar *b)
                        row->text))
             game_press_button(g, row);
     }
+    const char *change = g->scene->change;
+    if (change && bar_button(u, b, change, false, "the key T does it, too"))
+        g->state->input.choice++;
+    if (g->scene->points > 1 && bar_button(u, b, "Turn it", false, "as the keys Q and E"))
+        g->state->input.turn = wfWrapAngle(g->state->input.turn + WF_R(0.3));
+}
+
+bool game_hint_is_low(const game_state *s)
+{
+    return s->hint && (s->height < LOW || game_has_panes(s));
+}
+
+static bool sees_nothing(const game *g)
+{
+    wfBodyView v = wfWorldBodies(&g->world);
+    bool any = false;
+    for (int32_t i = 0; i < v.count; i++) {
+        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
+        if (camera_sees(&g->state->camera, WF_XY(v.state[i].p))) return false;
+        any = true;
+    }
+    return any;
+}
+
+/* What the last line says, and whether in full although it takes two. */
+static bool last_words(const game *g, char line[200], int *ink)
+{
+    const game_state *s = g->state;
+    const tool_memory *m = &s->tools;
+    *ink = m->said[0] && m->refused ? WF_INK_BAD : m->said[0] || m->tool ? WF_INK_TEXT :
+           WF_INK_LINE;
+    snprintf(line, 200, "%s", m->said);
+    if (m->said[0]) return true;
+    snprintf(line, 200, "%s: %s", toolTable[m->tool].name, toolTable[m->tool].text);
+    if (m->tool) return true;
+    if (sees_nothing(g)) {
+        snprintf(line, 200, "%s", "nothing is in view: Home brings it back");
+        return false;
+    }
+    if (game_hint_is_low(s)) *ink = WF_INK_ACCENT;
+    snprintf(line, 200, "%s", game_hint_is_low(s) ? HINT :
+             s->finger ? "drag bodies, or the view   two fingers: zoom   rest: menu" :
+             "?: all keys   drag: hold and throw   right drag: move the view   "
+             "wheel: zoom   right click: menu");
+    return false;
 }
 
 void game_state_line(ui *u, const game *g, float x)
 {
     const game_state *s = g->state;
-    char line[200];
+    char line[200], last[200];
+    int ink;
     double kinetic = 0, potential = 0;
     int32_t contacts;
     wfWorldContacts(&g->world, &contacts);
@@ -238,6 +288,9 @@ void game_state_line(ui *u, const game *g, float x)
              s->paused ? "paused" : how, (unsigned long long)wfWorldSteps(&g->world),
              wfWorldTime(&g->world), (int)wfBodyCount(&g->world), (int)contacts,
              kinetic + potential);
+    if (!wfBodyCount(&g->world))                        /* the scene draws what it has */
+        snprintf(line, sizeof line, "%s   step %llu   %.2f s", s->paused ? "paused" : how,
+                 (unsigned long long)wfWorldSteps(&g->world), wfWorldTime(&g->world));
     if (s->result != WF_OK)
         snprintf(line, sizeof line, "stopped: %s", wfResultText((wfResult)s->result));
     if (s->tape == TAPE_RECORDING || s->tape == TAPE_REPLAYING)
@@ -249,23 +302,27 @@ void game_state_line(ui *u, const game *g, float x)
         snprintf(line, sizeof line, "filming: %d pictures",
                  (int)(s->filming & FILM_MOVING ? s->film.pictures : s->frame_count));
     float room = s->width - x - (s->width < 760 ? 6 : 150);
+    if (last_words(g, last, &ink) && wfTextWidth(&wfBakedFont, 13, last) > room) {
+        ui_wrapped(u, x, s->height - 32, room, ink, last);
+        return;
+    }
     ui_fitted(u, x, s->height - 32, s->result ? WF_INK_BAD : WF_INK_TEXT, room, line);
-    if (s->tools.said[0]) ui_fitted(u, x, s->height - 13, s->tools.refused ? WF_INK_BAD :
-                                    WF_INK_TEXT, room, s->tools.said);
-    else ui_fitted(u, x, s->height - 13, WF_INK_LINE, room,
-            s->finger ? "drag bodies, or the view   two fingers: zoom" :
-            "?: all keys   drag: hold and throw   right drag: move the view   "
-            "wheel: zoom   right click: menu");
+    ui_fitted(u, x, s->height - 13, ink, room, last);
 }
 
 void game_key_sheet(ui *u, const game_state *s, float x)
 {
     static const char *const sheet[][2] = {
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
-        { "[ and ]", "previous, next scene" }, { "Tab, \\", "hide or show the list" },
+        { "[ and ]", "previous, next scene" },
+#ifdef __wasm__
+        { "\\", "hide or show the list" }, { "Tab", "leave the testbed" },
+#else
+        { "Tab, \\", "hide or show the list" },
+#endif
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
         { "arrows", "move the view, or drive" },
-        { "Q and E", "turn the testing body" }, { "T", "change its shape" },
+        { "Q, E, wheel", "turn what is held" }, { "T", "change its shape" },
         { "1 to 0", "show contacts, normals, ..." }, { "D", "dark or light" },
         { "S", "the settings of the world" }, { "/", "find a scene" },
         { "G B Y I", "hand, place, draw, pin" },

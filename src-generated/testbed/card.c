@@ -69,7 +69,8 @@ float game_card(ui *u, game *g, float x)
     y = ui_wrapped(u, x, y, room, WF_INK_TEXT, g->scene->text);
     y = ui_wrapped(u, x, y, room, WF_INK_ACCENT, c->may);
     bar b = { x, s->width - 8, x, y - 9, false };
-    if (first && bar_button(u, &b, "Start", false, "let time run")) s->paused = 0;
+    if (first && bar_button(u, &b, "Start", false, "let time run"))
+        s->paused = 0, s->panel &= !game_panel_covers(s);
     if (!first && bar_button(u, &b, "Again", false, "to the first step, as it was built"))
         try_again(g);
     if (bar_button(u, &b, "Restart", false, "the challenge from its beginning"))

@@ -3,6 +3,8 @@
 /* The report's eight test cases. */
 #include "testbed/maker.h"
 
+#define TESTING .change = "Other body", .points = 2
+
 /* Four boxes above each other; each weighs so much more than the one above it, kg. */
 static wfResult build_column(wfWorld *world, wfReal first, wfReal more)
 {
@@ -321,20 +323,21 @@ static const wfScene row[] = {
       .define = without_gravity, .build = build_rotation, .update = update_rotation,
       .draw = draw_arms, VIEW(0.5, 2.2, 8), PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC03 separating axis", .chapter = "narrow-phase",
-      .text = "The axis on which the closest body overlaps least, or is farthest. T, Q, E.",
+      .text = "The axis on which the closest body overlaps least, or is farthest.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_axis, VIEW(0, 0, 9), PROMISE(-1, -1) },
+      .draw = draw_axis, VIEW(0, 0, 9), SHAPE(1.2), TESTING, PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC04 contact points", .chapter = "contacts",
       .text = "Where the testing body touches the others, and how deep (red arrows).",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_clip, VIEW(0, 0, 9), PROMISE(-1, -1) },
+      .draw = draw_clip, VIEW(0, 0, 9), SHAPE(1.2), TESTING, PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC05 colours", .chapter = "narrow-phase",
-      .text = "A body that touches another is red, else white. T, Q, E change it.",
+      .text = "A body that touches another is red, else white.",
       .define = rest_softly, .build = build_gallery, .update = place_testing_body,
-      VIEW(0, 0, 9), .show = WF_SHOW_TOUCHING, PROMISE(-1, -1) },
+      VIEW(0, 0, 9), SHAPE(1.2), .show = WF_SHOW_TOUCHING, TESTING, PROMISE(-1, -1) },
     { .category = "Test cases", .name = "TC06 quad tree", .chapter = "broad-phase",
-      .text = "Each body says which node holds it; the node under the mouse is marked.",
+      .text = "Each body says which node holds it; the one that you point at is marked.",
       .define = by_quad_tree, .build = build_drift, .draw = draw_nodes, VIEW(0, 5, 12),
+      .points = 1,
       .show = WF_SHOW_TREE, PROMISE(0.05, 0.2) },
     { .category = "Test cases", .name = "TC07 pairs", .chapter = "broad-phase",
       .text = "A red line joins each potential pair: boxes round the bodies that overlap.",
@@ -343,6 +346,6 @@ static const wfScene row[] = {
     { .category = "Test cases", .name = "TC08 positional correction", .chapter = "impulses",
       .text = "Press the body against another: it is moved out until the edges barely touch.",
       .define = push_out_at_once, .build = build_gallery, .update = place_testing_body,
-      .draw = draw_wish, VIEW(0, 0, 9), PROMISE(-1, -1) },
+      .draw = draw_wish, VIEW(0, 0, 9), SHAPE(1.2), TESTING, PROMISE(-1, -1) },
 };
 const wfSceneGroup wfCaseScenes = { row, sizeof row / sizeof *row };

@@ -304,7 +304,7 @@ static void draw_race(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawDashed(d, (float)at.x, (float)at.y - 0.6f, (float)at.x, (float)at.y + 0.9f,
                      1.5f, WF_INK_ACCENT);
         wfDrawTextf(d, -7.6f, (float)race_start(lane).y + 0.6f, 13, WF_INK_TEXT, -1,
-                    "I = %.2f m r^2", (double)k);
+                    "I = %.2f m r²", (double)k);
     }
 }
 
@@ -495,7 +495,7 @@ static void draw_bodies_at(const wfWorld *world, wfDraw *d, wfVec2 at)
 
 static void write_length(wfDraw *d, float x, float y, double length)
 {
-    if (fabs(length) > 1) wfDrawText(d, x, y, 11, WF_INK_BAD, 0, "gone");
+    if (fabs(length) > 1) wfDrawText(d, x, y, 11, WF_INK_BAD, 0, "lost");
     else wfDrawTextf(d, x, y, 11, WF_INK_TEXT, 0, fabs(length) < 0.0995 ? "%.1f" : "%.0f",
                      1000 * length);
 }
@@ -519,9 +519,9 @@ static void draw_marks(const wfWorld *world, wfDraw *d, wfVec2 at, const char *n
     wfVec2 head = wfAdd(foot, wfV2(WF_R(-0.5) * q.s, WF_R(0.5) * q.c));
     wfDrawDashed(d, WF_XY(foot), WF_XY(head), 1, WF_INK_BAD);
     wfDrawText(d, x + 0.3f, y + high, 11, WF_INK_ACCENT, 0, name);
-    write_length(d, x - 1.6f, y - 0.75f, sunk);
-    write_length(d, x + 0.1f, y - 0.75f, crept);
-    wfDrawTextf(d, x + 1.8f, y - 0.75f, 11, WF_INK_TEXT, 0, "%.0f", 100 * energy);
+    write_length(d, x - 1.6f, y - 0.95f, sunk);
+    write_length(d, x + 0.1f, y - 0.95f, crept);
+    wfDrawTextf(d, x + 1.8f, y - 0.95f, 11, WF_INK_TEXT, 0, "%.0f", 100 * energy);
 }
 
 static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
@@ -546,20 +546,21 @@ static void draw_solvers(const wfWorld *world, wfDraw *d, const wfSceneInput *in
 static const wfScene row[] = {
     { .category = "Classics", .name = "card house", .chapter = "classics",
       .text = "Five storeys of cards lean on each other. Take one out.",
-      .build = build_card_house, VIEW(0, 2.3, 6.2), PROMISE(0.1, 0.02) },
+      .build = build_card_house, VIEW(0, 2.3, 6.2), SHAPE(0.9), PROMISE(0.1, 0.02) },
     { .category = "Classics", .name = "arch", .chapter = "classics",
       .text = "Twenty stones without mortar, as thin as an arch can nearly be.",
       .build = build_arch,
       VIEW(0, 2.6, 7), SHAPE(1.65), .show = WF_SHOW_CONTACTS, PROMISE(0.1, 0.02) },
     { .category = "Classics", .name = "overhang", .chapter = "classics",
       .text = "Ten blocks hang over the edge by 99 % of what is possible.",
-      .build = build_overhang, .draw = draw_overhang, VIEW(0, 2, 5), PROMISE(0.2, 0.02) },
+      .build = build_overhang, .draw = draw_overhang, VIEW(0, 2, 5), SHAPE(1),
+      PROMISE(0.2, 0.02) },
     { .category = "Classics", .name = "heavy on light", .chapter = "soft",
       .text = "One box on another: equal, a hundred and ten thousand times as heavy.",
       .build = build_heavy_pairs, .draw = draw_masses, VIEW(0, 1.4, 5), PROMISE(0.5, 0.01) },
     { .category = "Classics", .name = "tower of a hundred", .chapter = "soft",
       .text = "A hundred boxes, each a hundredth askew, and the default settings.",
-      .build = build_high_tower, VIEW(0, 50, 112), PROMISE(0.5, 0.01) },
+      .build = build_high_tower, VIEW(0, 50, 112), SHAPE(0.6), PROMISE(0.5, 0.01) },
     { .category = "Classics", .name = "one place", .chapter = "soft",
       .text = "Forty boxes are born in the same place, and have to come apart.",
       .define = with_room_for_pairs, .build = build_one_place, VIEW(0, 2.6, 8),
@@ -569,11 +570,11 @@ static const wfScene row[] = {
       .build = build_dominoes, VIEW(0, 2.2, 9.5), SHAPE(1.85), PROMISE(0.1, 0.1) },
     { .category = "Classics", .name = "tumbler", .chapter = "compound",
       .text = "A drum turns and never lets its heap come to rest.",
-      .build = build_tumbler, VIEW(0, 4, 10), PROMISE(-1, 0.2) },
+      .build = build_tumbler, VIEW(0, 4, 10), SHAPE(1), PROMISE(-1, 0.2) },
     { .category = "Classics", .name = "Galton board", .chapter = "classics",
       .text = "Left or right at each peg: the line is the binomial distribution.",
       .define = softly, .build = build_galton, .update = release_a_ball,
-      .draw = draw_galton, VIEW(0, 5.6, 13.6), PROMISE(-1, 0.25) },
+      .draw = draw_galton, VIEW(0, 5.6, 13.6), SHAPE(0.9), PROMISE(-1, 0.25) },
     { .category = "Classics", .name = "hung cradle", .chapter = "joints",
       .text = "Five touching balls on rods. One comes in, and one goes out.",
       .build = build_hung_cradle, VIEW(0, 3.4, 6), SHAPE(1.7),
@@ -593,7 +594,8 @@ static const wfScene row[] = {
       .define = many_joints, .build = build_breaking_wall,
       VIEW(2, 3, 8), SHAPE(2.2), PROMISE(5, 0.5) },
     { .category = "Classics", .name = "solvers", .chapter = "soft",
-      .text = "A tower, a slope, a ball with e = 1, by every solver. T: more passes.",
-      .build = build_nothing, .draw = draw_solvers, VIEW(7.5, -1.2, 13.8), PROMISE(0, -1) },
+      .text = "A tower, a slope, a ball with e = 1, by every solver.",
+      .build = build_nothing, .draw = draw_solvers, VIEW(7.5, -1.2, 13.8),
+      .change = "More passes", PROMISE(0, -1) },
 };
 const wfSceneGroup wfClassicScenes = { row, sizeof row / sizeof *row };

@@ -40,6 +40,7 @@ void game_place_camera(game *g)
     c->top = s->head * k;
     c->wide = (s->width - left - right) * k;
     c->high = (s->height - s->head - foot) * k;
+    if (game_panel_top(s) > s->head) c->high = (game_panel_top(s) - s->head) * k;
     game_spare_controls(g, c);
     if (c->high < 16) c->high = 16;
     if (c->wide < 16) c->wide = 16;
@@ -66,7 +67,8 @@ static void use_tool(game *g, bool over)
         if (s->tape == TAPE_REPLAYING) s->tape = TAPE_DONE;     /* from here it is yours */
         tool_press(&w, s->input.mouse);
         if (s->tools.tool == 0) take_hold(g);
-        if (s->tools.tool == 0 && g->input->finger && !s->held.index) s->panning = 2;
+        bool empty = s->tools.tool == 0 && !s->held.index && !g->scene->points;
+        if (empty && g->input->finger) s->panning = 2;
     }
     if (g->input->held & GAME_BUTTON_LEFT) tool_move(&w, s->input.mouse);
     else tool_release(&w, s->input.mouse);
@@ -372,7 +374,7 @@ void game_obey_key(game *g, int32_t key)
         break;
     }
     for (int i = 0; i < toolCount; i++)
-        if (toolTable[i].key == small) game_choose_tool(g, i);
+        if (toolTable[i].key == small) game_choose_tool(g, i), s->bar |= i > 0;
     game_file_key(g, small);
     for (int i = 0; i < wfOverlayCount; i++)
         if (key == wfOverlayTable[i].key) game_press_overlay(g, wfOverlayTable[i].bit);

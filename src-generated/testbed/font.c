@@ -32,11 +32,17 @@ const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter)
     return &glyphs[font->glyphCount - 1];    /* U+FFFD is the last */
 }
 
+float wfLetterScale(const wfFont *font, float px)
+{
+    float scale = px / font->sizes[wfNearestSize(font, px)].px;
+    return scale > 11.f / 12 && scale < 13.f / 12 ? 1 : scale;
+}
+
 float wfTextWidth(const wfFont *font, float px, const char *utf8)
 {
     float width = 0;
     if (font == NULL || font->sizeCount < 1 || font->glyphCount < 1) return 0;
     for (uint32_t letter; (letter = wfNextLetter(&utf8)) != 0; )
         width += wfFindGlyph(font, px, letter)->advance;
-    return width;
+    return width * wfLetterScale(font, px);
 }

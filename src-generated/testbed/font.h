@@ -27,6 +27,8 @@ extern const wfFont wfBakedFont;     /* made at build time; no sizes when it cou
 int32_t wfNearestSize(const wfFont *font, float px);
 /* The letter's glyph at that size; for a letter that the font lacks, that of U+FFFD. */
 const wfGlyph *wfFindGlyph(const wfFont *font, float px, uint32_t letter);
+/* How much larger than baked its letters are drawn; a twelfth is left as it is. */
+float wfLetterScale(const wfFont *font, float px);
 /* From the first pen position to the last, px. */
 float wfTextWidth(const wfFont *font, float px, const char *utf8);
 #endif

@@ -98,10 +98,10 @@ static wfResult build_explosion(wfWorld *world)
 static const wfScene row[] = {
     { .category = "Forces", .name = "bungee", .chapter = "forces",
       .text = "Three masses on equal ropes that pull and never push.",
-      .build = build_bungee, VIEW(0, 1, 10), PROMISE(0.5, 0.2) },
+      .build = build_bungee, VIEW(0, 1, 10), SHAPE(1.05), PROMISE(0.5, 0.2) },
     { .category = "Forces", .name = "spring net", .chapter = "forces",
       .text = "Knots joined by damped springs catch three balls.",
-      .build = build_net, VIEW(0, 0.5, 10), PROMISE(1, 0.2) },
+      .build = build_net, VIEW(0, 0.5, 10), SHAPE(1), PROMISE(1, 0.2) },
     { .category = "Forces", .name = "buoyancy", .chapter = "forces",
       .text = "Densities 0.2, 0.5, 0.9 and 1.5 in water of 1: three pairs float, one sinks.",
       .build = build_buoyancy, VIEW(0, -1, 8), SHAPE(2.2), PROMISE(0.5, 0.15) },

@@ -17,7 +17,7 @@ static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
     float x = game_list_side(s) + 16, mouse = u->x;
-    bar b = { x, s->width - 8, x, 10, s->height < LOW && s->width < LIST_ROOM };
+    bar b = { x, s->width - 8, x, 10, s->height < LOW };
     if (s->bare) {
         s->head = 0;
         if (s->opened && game_drives_any(g)) game_controls(u, g);
@@ -27,16 +27,17 @@ static void interface(ui *u, game *g, double seconds)
     }
     u->room[0] = game_list_side(s), u->room[1] = s->head;
     u->room[2] = s->width - game_beside(s), u->room[3] = s->height - FOOT - TIME_BAR;
-    bool drawer = game_has_drawer(s);
+    bool drawer = game_has_drawer(s) && !s->keys;
     if (drawer || s->menu) u->x = -1e6f;                /* they lie over all else */
     strip(u, -2, s->head);
-    strip(u, s->height - FOOT + 2, FOOT);
+    strip(u, s->height - FOOT - TIME_BAR + 2, FOOT + TIME_BAR);
     game_draw_curves(u, g);
-    if (s->list && !drawer) game_list_panel(u, g);
+    if (s->list && !game_has_drawer(s)) game_list_panel(u, g);
     if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
     float rest = b.right - b.x - 6;
-    if (b.terse) ui_fitted(u, b.x + 6, b.y + 16, WF_INK_TEXT, rest, g->scene->name);
+    if (b.terse && rest > 60)
+        ui_fitted(u, b.x + 6, b.y + 16, WF_INK_TEXT, rest, g->scene->name);
     b.terse = false;
     if (s->bar) game_tool_bar(u, g, &b);
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
@@ -56,11 +57,10 @@ static void interface(ui *u, game *g, double seconds)
     game_time_bar(u, g);
     if (s->opened && game_drives_any(g)) game_controls(u, g);
     if (s->keys) game_key_sheet(u, s, x);
-    if (s->hint && !s->keys && !covered)                /* the sheet may lie there */
+    if (s->hint && !s->keys && !covered && !game_hint_is_low(s))
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
                 s->height - FOOT - TIME_BAR - 14 - game_controls_high(g), 16,
-                WF_INK_ACCENT, 0,
-                "Grab something: drag it, and throw it.");
+                WF_INK_ACCENT, 0, HINT);
     if (!drawer || s->menu) u->x = mouse;
     game_body_menu(u, g);
     u->x = s->menu ? -1e6f : mouse;
@@ -127,7 +127,9 @@ static void measure_picture(game_state *s, const frame_buffer *buffer)
     float size = s->letters > 0 &&
         s->letters < UI_SIZES ? uiSizes[s->letters] : s->finger ? 1.25f : 1;
     s->scale = buffer->scale >= 0.25f && buffer->scale <= 16 ? buffer->scale : 1;
-    s->scale *= size;
+    float most = (float)buffer->width / 240, high = (float)buffer->height / 200;
+    if (high < most) most = high;               /* less has no room for what is said */
+    if (s->scale < most) s->scale = s->scale * size < most ? s->scale * size : most;
     s->width = (float)buffer->width / s->scale;
     s->height = (float)buffer->height / s->scale;
 }
@@ -180,7 +182,7 @@ static void begin_again(game *g)
     camera home = { .x = (float)g->scene->viewX, .y = (float)g->scene->viewY,
                     .height = (float)g->scene->viewHeight };
     bool any = false, runs = g->input->steps < 0 && !s->paused;
-    bool left = runs && !s->ends && !s->undo_count;
+    bool left = runs && !s->ends && !game_was_changed(s) && !g->scene->points;
     for (int32_t i = 0; i < v.count && left; i++) {
         if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
         any = true;
@@ -218,25 +220,32 @@ void game_update_and_render(game_memory *memory, const game_input *input,
 {
     game g;
     game_input now = *input;
+    frame_buffer sized = *buffer;
     game_begin_call(&g, memory, &now);
     game_state *s = g.state;
     s->finger = now.finger;
     s->bare = now.bare;
     measure_picture(s, buffer);
+    sized.scale = s->scale;                             /* letters and lines grow with it */
+    buffer = &sized;
     begin_game(&g);
     game_obey_mark(s, &now);
     input = &now;
     if (!(input->held & GAME_BUTTON_LEFT)) s->editing = 0;
     game_take_answer(&g);
     fold_panels(s);
+    if (!s->bar && !s->bare && s->tools.tool) game_choose_tool(&g, 0);
     if (input->scene[0]) open_by_name(&g, input->scene);
-    if (memory->news) game_tell(&g, false, memory->news);
+    bool bad = memory->news && memory->news[0] == '!';
+    if (memory->news) game_tell(&g, bad, memory->news + bad);
     ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
     s->enter = 0;
     for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++) {
         if (input->keys[i] == GAME_KEY_ENTER) s->enter = 1;
         if (!ui_takes(&s->ui, input->keys[i])) game_obey_key(&g, input->keys[i]);
+        else if (s->ui.typing && input->keys[i] == '/') s->list = 1;
     }
+    if (!s->list || s->bare) s->ui.typing = 0;
     interface(&u, &g, 0);
     game_place_camera(&g);
     game_obey_mouse(&g, u.over);
@@ -245,6 +254,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     if (s->opened) begin_again(&g);
     follow(&g);
     memory->cursor = cursor_of(&g, &u);
+    memory->dark = s->dark;
     game_note_tape(&g);
     fold_panels(s);                             /* as they are now, to be kept */
     game_keep_settings(&g);
@@ -338,7 +348,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
 bool game_wants_letters(const game_memory *memory)
 {
     const game_state *s = memory->permanent;
-    return s->begun && s->size == sizeof *s && s->ui.typing;
+    return s->begun && s->size == sizeof *s && (s->ui.typing || s->ui.edits);
 }
 
 bool game_knows_scene(const char *name)

@@ -38,6 +38,7 @@ void game_open_scene(game *g, int row)
 {
     game_state *s = g->state;
     row = (row + game_scene_count(g)) % game_scene_count(g); /* after the last, the first */
+    int32_t before = s->undo_at, moments = game_keep_for_undo(g, row);
     s->tools.said[0] = 0;                                   /* it was about another world */
     s->tools.refused = s->tools.probed = s->tools.down = s->tools.points = 0;
     bool same = s->row == row && s->opened;
@@ -67,9 +68,11 @@ void game_open_scene(game *g, int row)
     s->single = 0;
     s->wall = s->passed = s->pace = 0;
     s->posed = 0;
-    s->undo_at = s->undo_count = s->editing = 0;
+    s->undo_at = s->undo_count = moments;
+    s->editing = 0;
     s->input = (wfSceneInput){ 0 };
     s->driven = s->grasped = 0;
+    if (s->finger) s->moved = 0;                                /* it was on the list */
     s->hover = s->follow = (wfBodyId){ 0 };
     if (!same) {                            /* curves of a body that is no more */
         s->plotted = s->plots.body = (wfBodyId){ 0 };
@@ -97,6 +100,7 @@ void game_open_scene(game *g, int row)
     }
     if (s->opened && g->scene->follow)
         s->follow = wfBodyAt(&g->world, g->scene->follow - 1);
+    if (moments > before) game_tell(g, false, "Undo brings back what you have changed");
 }
 
 static uint32_t controls_of(const wfScene *scene)

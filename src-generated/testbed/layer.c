@@ -199,7 +199,7 @@ static bool take_text(layer *l, const char *name)
 {
     char error[400] = "it can't be read", *text = read_text(l->brought);
     bool good = text && game_reads_scene(text, error, sizeof error);
-    snprintf(l->said, sizeof l->said, "%.50s: %s", name, error);
+    snprintf(l->said, sizeof l->said, "!%.50s: %s", name, error);
     free(good ? l->scene : text);
     if (good) l->memory.text = l->scene = text;
     else l->memory.news = l->said;
@@ -216,7 +216,7 @@ static void take_brought(layer *l)
     name += length > room ? length - room : 0;
     bool text = length >= 5 && strcmp(name + strlen(name) - 5, ".json") == 0;
     if (!l->memory.file || (!text && !fetch_file(l->brought, f)))
-        l->memory.news = "the file can't be read";
+        l->memory.news = "!the file can't be read";
     else if (!text || take_text(l, name)) {
         snprintf(f->name, sizeof f->name, "%s", name);
         f->wish = GAME_FILE_BROUGHT;
@@ -233,6 +233,9 @@ static void grant_wish(layer *l)
     bool good = place_file(l, path, sizeof path);
     if (good) good = f->wish == GAME_FILE_FETCH ? fetch_file(path, f) : keep_file(path, f);
     l->exported += good && f->wish == GAME_FILE_EXPORT;
+    bool told = good && f->wish != GAME_FILE_FETCH && strcmp(f->name, "settings.txt") != 0;
+    snprintf(l->said, sizeof l->said, "kept: %.440s", path);
+    if (told) l->memory.news = l->said;
     f->answer = good ? GAME_FILE_DONE : GAME_FILE_FAILED;
 }
 

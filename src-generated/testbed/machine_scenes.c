@@ -67,7 +67,7 @@ static void draw_trebuchet(const wfWorld *world, wfDraw *d, const wfSceneInput *
                                                 WF_INK_LINE);
     wfDrawCircle(d, 0, y, 0.15f, 1.5f, WF_INK_LINE, WF_INK_PAPER);
     for (int x = 5; x <= 20; x += 5)
-        wfDrawTextf(d, (float)x, -0.55f, 13, WF_INK_TEXT, 0, "%d m", x);
+        wfDrawTextf(d, (float)x, -0.75f, 13, WF_INK_TEXT, 0, "%d m", x);
     double fall = 9.81 * (double)(sling_weight * 2 * sling_short);
     double own = 0.5 * 0.3 * (double)wfLengthSq(stone.v) + 0.3 * 9.81 * (double)stone.p.y;
     wfDrawTextf(d, 9, 9.3f, 14, WF_INK_TEXT, 0,
@@ -428,8 +428,8 @@ static int32_t grains_below(const wfWorld *world)
 static void draw_hourglass(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 {
     (void)in;
-    wfDrawTextf(d, 2.15f, -1.6f, 14, WF_INK_TEXT, 0, "%d below", (int)grains_below(world));
-    wfDrawTextf(d, 2.15f, 1.4f, 14, WF_INK_TEXT, 0, "%d above",
+    wfDrawTextf(d, 1.75f, -1.6f, 14, WF_INK_TEXT, -1, "%d below", (int)grains_below(world));
+    wfDrawTextf(d, 1.75f, 1.4f, 14, WF_INK_TEXT, -1, "%d above",
                 GRAINS - (int)grains_below(world));
 }
 
@@ -475,6 +475,6 @@ static const wfScene row[] = {
       .define = many_grains, .build = build_hourglass, .update = turn_hourglass,
       .draw = draw_hourglass, .controls = { [WF_LEFT] = "turn left",
                                             [WF_RIGHT] = "turn right" },
-      .viewShape = WF_R(0.95), VIEW(0, 0, 6.2), PROMISE(-1, 0.15) },
+      .viewShape = WF_R(1.3), VIEW(0, 0, 6.2), PROMISE(-1, 0.15) },
 };
 const wfSceneGroup wfMachineScenes = { row, sizeof row / sizeof *row };

@@ -91,7 +91,7 @@ void game_body_menu(ui *u, game *g)
     wfBodyId id = s->tools.count ? s->tools.chosen[0] : (wfBodyId){ 0, 0 };
     if (s->menu && !wfBodyIsValid(&g->world, id)) s->menu = 0;
     if (!s->menu) return;
-    float w = 150, each = s->finger ? 28 : ROW, h = ROWS * each + 8;
+    float w = 150, each = ui_row_high(u), h = ROWS * each + 8;
     float x = s->menu_x + w > s->width ? s->width - w : s->menu_x;
     float y = s->menu_y + h > s->height ? s->height - h : s->menu_y;
     ui_box(u, x, y, w, h, WF_INK_LINE, WF_INK_PAPER);

@@ -99,7 +99,8 @@ static void draw_orbit(wfDraw *d, int row, int steps, wfVec2 middle, wfReal size
     wfVec2 at = wfAdd(middle, wfScale(size, planet.p));
     if (n > 1) wfDrawPolyline(d, xy, n, 1.5f, row % 2 ? WF_INK_BODY : WF_INK_BODY2);
     wfDrawPoint(d, WF_XY(at), 8, WF_INK_LINE);
-    wfDrawText(d, (float)middle.x, (float)(middle.y - 2 * size), 11, WF_INK_TEXT, 0,
+    wfReal below = row % 2 ? WF_R(2.5) : 2;     /* beside each other they have no room */
+    wfDrawText(d, (float)middle.x, (float)(middle.y - below * size), 11, WF_INK_TEXT, 0,
                wfIntegratorTable[row].name);
 }
 

@@ -8,6 +8,19 @@
 
 static void draw_ghosts(game *g, wfDraw *d);        /* of sec:scenes-compare */
 
+/* What the scene draws. Where its view is less than 300 units high its words are smaller,
+ * down to 8 units: their places are in metres, and they would come to lie on each other. */
+static void draw_scene(const game *g, const wfWorld *world, wfDraw *d)
+{
+    const game_state *s = g->state;
+    float size = camera_scale(&s->camera) / s->scale * (float)g->scene->viewHeight / 300;
+    int32_t i = d->count;
+    if (g->scene->draw) g->scene->draw(world, d, &s->input);
+    for (wfDrawCommand *c = (wfDrawCommand *)d->base; size < 1 && i < d->count; i++)
+        if (c[i].kind == WF_DRAW_TEXT && c[i].size > 8)
+            c[i].size = c[i].size * size > 8 ? c[i].size * size : 8;
+}
+
 /* The body under the mouse is one that the tool would do something with. */
 bool game_may_take(const game *g)
 {
@@ -20,7 +33,8 @@ bool game_may_take(const game *g)
 static bool draw_between(game *g, wfDraw *d)
 {
     game_state *s = g->state;
-    bool plain = s->show == 0 && !g->scene->draw && s->worlds < 2 && !s->hover.index;
+    bool plain = s->show == 0 && !g->scene->draw && s->worlds < 2 && !s->hover.index &&
+                 !s->tools.count;
     if (!plain || s->between >= 1 || s->posed != wfWorldSteps(&g->world)) return false;
     wfBodyView v = wfWorldBodies(&g->world);
     int32_t n = v.count < s->poses ? v.count : s->poses;
@@ -49,7 +63,7 @@ void game_list_world(game *g, wfDraw *d, const float view[4])
     game_find_seen(&s->camera, s->look.seen);
     wfDrawLook(&g->world, s->show, &s->look, &g->scratch, d);
     draw_ghosts(g, d);
-    if (g->scene->draw) g->scene->draw(&g->world, d, &s->input);
+    draw_scene(g, &g->world, d);
     tool_work tools = game_tools_of(g);
     if (!s->held.index && game_may_take(g)) tool_outline(&g->world, s->hover, d);
     tool_draw(&tools, d);
@@ -73,7 +87,12 @@ void game_draw_world(game *g, frame_buffer *buffer, const wfPalette *palette)
     wfPoolRewind(&g->scratch, mark);
 }
 
-bool game_has_panes(const game_state *s) { return s->worlds > 1 && !s->overlaid; }
+bool game_has_panes(const game_state *s)
+{
+    bool any = false;
+    for (int i = 0; i < OTHERS; i++) any |= game_goes_along(s, i);
+    return any && !s->overlaid;
+}
 
 /* The first pane of the part of the picture that the camera has. */
 void game_take_pane(const game_state *s, camera *c)
@@ -158,7 +177,7 @@ static void draw_pane(game *g, const wfWorld *world, const char *name, frame_buf
     wfDrawView(&d, view[0], view[1], view[2], view[3]);
     wfShowWorld(world, s->show, &g->scratch, &d);
     wfDrawLook(world, s->show, &s->look, &g->scratch, &d);
-    if (g->scene->draw) g->scene->draw(world, &d, &s->input);
+    draw_scene(g, world, &d);
     float edge[] = { view[0], view[1], view[2], view[1],
                      view[2], view[3], view[0], view[3] };
     wfDrawPolygon(&d, edge, 4, 2, WF_INK_FAINT, WF_INK_NONE);

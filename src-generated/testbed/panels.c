@@ -19,6 +19,13 @@ bool game_panel_covers(const game_state *s)
     return s->panel && !s->bare && game_beside(s) <= 0;
 }
 
+/* An upright picture keeps its upper part for the scene: bodies are chosen there. */
+float game_panel_top(const game_state *s)
+{
+    float room = s->height - s->head - FOOT;
+    return game_panel_covers(s) && room > 360 ? s->head + 0.45f * room : s->head;
+}
+
 static bool panel_shows(const game *g, float y, float h)
 {
     return y >= g->panel_top && y + h <= g->panel_bottom;
@@ -519,12 +526,18 @@ static void choose_setting(game *g, int i, int row)
 static void choose_worlds(game *g, int worlds)
 {
     game_state *s = g->state;
-    int solver = 0;
-    for (int i = 0; i < wfSettingCount; i++)
+    int solver = 0, substeps = 0;
+    for (int i = 0; i < wfSettingCount; i++) {
         if (strcmp(wfSettingTable[i].name, "solver") == 0) solver = i;
+        if (strcmp(wfSettingTable[i].name, "substeps") == 0) substeps = i;
+    }
     for (int i = s->worlds < 1 ? 0 : s->worlds - 1; i < worlds - 1; i++) {
         choose_setting(g, i, solver);
         s->value[i] = (double)i + (s->value[i] <= (double)i);   /* not its own */
+        bool keeps = wfSolverTable[(int)s->value[i]].step != NULL;
+        if (keeps || wfWorldJointPlaces(&g->world) == 0) continue;
+        choose_setting(g, i, substeps);                 /* it would keep no joint */
+        s->value[i] = i + 1;
     }
     s->worlds = worlds;
     game_begin_others(g);
@@ -555,8 +568,8 @@ static float other_lines(ui *u, game *g, int i, float x, float y, float w)
     if (hit) game_begin_others(g);
     y += UI_LINE;
     if (s->other[i] != WF_OK)
-        ui_text(u, x, y + 13, 13, WF_INK_BAD, -1, wfResultText((wfResult)s->other[i]));
-    return y + (s->other[i] != WF_OK ? 24 : 6);
+        y = ui_wrapped(u, x, y + 13, w, WF_INK_BAD, wfResultText((wfResult)s->other[i]));
+    return y + 6;
 }
 
 static float compare_panel(ui *u, game *g, float x, float y, float w)
@@ -635,22 +648,22 @@ void game_draw_curves(ui *u, const game *g)
 /* the panel of files */
 static const button_row file_table[] = {
     { "Record", NULL, 'f', 0, game_press_record,
-      "F: writes down what you do; again: stop" },
-    { "Replay", NULL, 'k', 0, game_press_replay, "K: does it again, to the last bit" },
-    { "Save the world", NULL, 'w', 0, game_press_save, "W: world.save" },
-    { "Load the world", NULL, 'a', 0, game_press_load, "A: world.save" },
+      "writes down what you do; again: stop" },
+    { "Replay", NULL, 'k', 0, game_press_replay, "does it again, to the last bit" },
+    { "Save the world", NULL, 'w', 0, game_press_save, "world.save" },
+    { "Load the world", NULL, 'a', 0, game_press_load, "world.save" },
     { "Copy link", NULL, 0, 0, game_press_link, "with this world in it; else link.save" },
-    { "Write JSON", NULL, 'u', 0, game_press_write, "U: scene.json, for people" },
-    { "Read JSON", NULL, 'z', 0, game_press_read, "Z: scene.json" },
+    { "Write JSON", NULL, 'u', 0, game_press_write, "scene.json, for people" },
+    { "Read JSON", NULL, 'z', 0, game_press_read, "scene.json" },
     { "Picture", NULL, GAME_KEY_PICTURE, 0, game_press_picture,
-      "!: picture-STEP.png, the window" },
+      "picture-STEP.png, the window" },
     { "Drawing", NULL, GAME_KEY_DRAWING, 0, game_press_drawing,
-      "#: picture-STEP.svg, the scene" },
+      "picture-STEP.svg, the scene" },
     { "Film", NULL, GAME_KEY_FILM, 0, game_press_film,
-      "%: film-STEP.png, moving; again: stop" },
+      "film-STEP.png, moving; again: stop" },
     { "Frames", NULL, GAME_KEY_FRAMES, 0, game_press_frames,
-      "&: frame-1.png, -2 ...; again: stop" },
-    { "Copy as C", NULL, 'c', 0, game_press_copy, "C: scene.c, a program of its own" },
+      "frame-1.png, -2 ...; again: stop" },
+    { "Copy as C", NULL, 'c', 0, game_press_copy, "scene.c, a program of its own" },
 };
 enum { FILES = sizeof file_table / sizeof *file_table };
 
@@ -666,7 +679,11 @@ static float files_panel(ui *u, game *g, float x, float y, float w)
         const button_row *row = &file_table[i];
         if (!panel_shows(g, y, 46)) continue;
         if (ui_button(u, row->name, x, y, w, false)) game_press_button(g, row);
-        ui_fitted(u, x, y + 40, WF_INK_LINE, w, row->text);
+        char line[80];
+        int key = row->key >= 'a' ? row->key - 'a' + 'A' : row->key;
+        snprintf(line, sizeof line, "%c: %s", key, row->text);
+        ui_fitted(u, x, y + 40, WF_INK_LINE, w,
+                  key && !g->state->finger ? line : row->text);
     }
     return y;
 }
@@ -701,19 +718,25 @@ void game_settings_panel(ui *u, game *g)
     game_state *s = g->state;
     float x = u->width - SETTINGS_WIDTH + 12, w = SETTINGS_WIDTH - 24;
     float bottom = u->height - FOOT;
-    bar tabs = { x, x + w, x, s->head + 6, false };
-    ui_box(u, x - 12, s->head, SETTINGS_WIDTH + 2, bottom - s->head, WF_INK_FAINT,
-           WF_INK_PAPER);
+    float top = game_panel_top(s), left = x - 8, words = 0, y = top + 6;
+    ui_box(u, x - 12, top, SETTINGS_WIDTH + 2, bottom - top, WF_INK_FAINT, WF_INK_PAPER);
     for (int i = 0; i < PANELS; i++)
-        if (bar_button(u, &tabs, panel_table[i].name, i == s->tab, panel_table[i].text))
+        words += wfTextWidth(&wfBakedFont, 13, panel_table[i].name);
+    for (int i = 0; i < PANELS; i++) {                          /* all in one row */
+        const char *name = panel_table[i].name;
+        float wide = wfTextWidth(&wfBakedFont, 13, name) + (w + 16 - words) / PANELS;
+        if (ui_button(u, name, left, y, wide, i == s->tab))
             s->tab = i, s->panel_scroll = 0;
-    g->panel_top = tabs.y + BAR_ROW + 2;
+        ui_tip(u, name, panel_table[i].text, left, y, wide, 24);
+        left += wide;
+    }
+    g->panel_top = y + BAR_ROW + 2;
     g->panel_bottom = bottom;
-    float y = g->panel_top - s->panel_scroll;
+    y = g->panel_top - s->panel_scroll;
     float end = panel_table[s->tab].walk(u, g, x, y, w);
     bar_thumb(u, u->width - 5, g->panel_top, bottom - g->panel_top, end - y,
               s->panel_scroll);
-    u->over_panel = ui_inside(u, x - 12, s->head, SETTINGS_WIDTH, bottom - s->head);
+    u->over_panel = ui_inside(u, x - 12, top, SETTINGS_WIDTH, bottom - top);
     u->over |= u->over_panel;
     scroll_panel(u, g, end - y);
 }

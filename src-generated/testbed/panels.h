@@ -48,6 +48,8 @@ void game_list_panel(ui *u, game *g);
 void game_buttons(ui *u, game *g, bar *b);
 void game_tool_bar(ui *u, game *g, bar *b);
 void game_state_line(ui *u, const game *g, float x);
+#define HINT "Grab something: drag it, and throw it."
+bool game_hint_is_low(const game_state *s);     /* on the last line, not in the picture */
 void game_key_sheet(ui *u, const game_state *s, float x);
 void game_open_menu(game *g, float x, float y);         /* pixels */
 void game_body_menu(ui *u, game *g);
@@ -55,6 +57,7 @@ void game_plot_body(game *g, wfBodyId id);
 /* panels */
 float game_beside(const game_state *s);
 bool game_panel_covers(const game_state *s);            /* it lies over the scene */
+float game_panel_top(const game_state *s);
 bool game_has_drawer(const game_state *s);
 float game_list_side(const game_state *s);
 float game_finger_way(const ui *u, const game *g);

@@ -28,7 +28,7 @@ static void press_filming(game *g, int32_t kind)
     if (on && kind == FILM_MOVING) s->film = (wfPng){ 0 };
     if (on && kind == FILM_FRAMES) s->frame_count = 0;
     if (on) s->film_next = wfWorldTime(&g->world);
-    game_tell(g, false, on ? "filming what the camera sees; the same key ends it"
+    game_tell(g, false, on ? "filming what the camera sees; again: stop"
                       : "the film is over");
 }
 void game_press_film(game *g) { press_filming(g, FILM_MOVING); }

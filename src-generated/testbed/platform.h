@@ -35,6 +35,7 @@ typedef struct game_memory {
     const char *news;           /* from the platform, for the line of state; or NULL */
     int32_t still; /* the game's: 1: without input the next picture is this one */
     int32_t cursor;             /* the game's: what the mouse looks like, GAME_CURSOR_... */
+    int32_t dark;               /* the game's: 1: light on dark */
 } game_memory;
 
 enum { GAME_CURSOR_ARROW, GAME_CURSOR_POINT, GAME_CURSOR_GRAB, GAME_CURSOR_CROSS,
@@ -122,7 +123,7 @@ bool game_set(game_memory *memory, const char *name, double value);
    that the user has changed. Returns the length, as game_describe does. */
 size_t game_link(game_memory *memory, char *text, size_t size);
 
-/* Does the user type letters? A page raises a keyboard for a finger then. */
+/* Does the user type letters or a number? A page raises a keyboard for a finger then. */
 bool game_wants_letters(const game_memory *memory);
 
 /* What is going on, as lines of words: `scene stack', `paused 0', `body 3 x 1.5 y 2 pixel

@@ -462,19 +462,41 @@ static void paint_dashes(frame_buffer *target, const stencil *s, wfInk ink, floa
 }
 
 /* draw text into the picture */
-static void paint_glyph(frame_buffer *target, const wfFont *font, const wfGlyph *g,
-                        int32_t left, int32_t top, wfInk ink)
+static float cover_of(const wfFont *font, const wfGlyph *g, int32_t x, int32_t y)
 {
-    int32_t x0 = left < 0 ? -left : 0, y0 = top < 0 ? -top : 0;
-    int32_t x1 = target->width - left < g->width ? target->width - left : g->width;
-    int32_t y1 = target->height - top < g->height ? target->height - top : g->height;
-    for (int32_t y = y0; y < y1; y++) {
-        const uint8_t *cover_of = font->cover + (size_t)(g->y + y) * (size_t)font->width
-                                  + (size_t)g->x;
+    if (x < 0 || y < 0 || x >= g->width || y >= g->height) return 0;
+    return font->cover[(size_t)(g->y + y) * (size_t)font->width + (size_t)(g->x + x)];
+}
+
+/* Between four pixels of the glyph. */
+static float cover_at(const wfFont *font, const wfGlyph *g, float u, float v)
+{
+    int32_t x = floor_within(u, -1, g->width), y = floor_within(v, -1, g->height);
+    float a = u - (float)x, b = v - (float)y, near = cover_of(font, g, x, y);
+    if (a == 0 && b == 0) return near;
+    near += a * (cover_of(font, g, x + 1, y) - near);
+    float far = cover_of(font, g, x, y + 1);
+    far += a * (cover_of(font, g, x + 1, y + 1) - far);
+    return near + b * (far - near);
+}
+
+static void paint_glyph(frame_buffer *target, const wfFont *font, const wfGlyph *g,
+                        float left, float top, float scale, wfInk ink)
+{
+    float half = 0.5f * scale;                      /* beyond its edge it fades */
+    int32_t x0 = floor_within(left - half, 0, target->width);
+    int32_t y0 = floor_within(top - half, 0, target->height);
+    int32_t x1 = floor_within(left + scale * (float)g->width + half, -1, target->width - 1);
+    int32_t y1 = floor_within(top + scale * (float)g->height + half, -1,
+                              target->height - 1);
+    for (int32_t y = y0; y <= y1; y++) {
+        float v = ((float)y + 0.5f - top) / scale - 0.5f;
         uint8_t *pixel = (uint8_t *)(target->pixels
-                         + (size_t)(top + y) * (size_t)target->pitch + (size_t)(left + x0));
-        for (int32_t x = x0; x < x1; x++, pixel += 4)
-            if (cover_of[x] > 0) wfBlendLetter(pixel, ink, (float)cover_of[x] / 255);
+                         + (size_t)y * (size_t)target->pitch + (size_t)x0);
+        for (int32_t x = x0; x <= x1; x++, pixel += 4) {
+            float cover = cover_at(font, g, ((float)x + 0.5f - left) / scale - 0.5f, v);
+            if (cover > 0) wfBlendLetter(pixel, ink, cover / 255);
+        }
     }
 }
 
@@ -482,13 +504,14 @@ static void paint_text(frame_buffer *target, const wfFont *font, float x, float 
                        int anchor, const char *text, wfInk ink)
 {
     if (font == NULL || font->sizeCount < 1 || font->glyphCount < 1) return;
+    float scale = wfLetterScale(font, px);
     x -= 0.5f * (float)(anchor + 1) * wfTextWidth(font, px, text);
     for (uint32_t letter; (letter = wfNextLetter(&text)) != 0; ) {
         const wfGlyph *g = wfFindGlyph(font, px, letter);
-        int32_t left = floor_within(x + 0.5f, -32768, 32767) + g->left;
-        int32_t top = floor_within(y + 0.5f, -32768, 32767) - g->top;
-        paint_glyph(target, font, g, left, top, ink);
-        x += g->advance;
+        float left = (float)floor_within(x + 0.5f, -32768, 32767) + scale * (float)g->left;
+        float top = (float)floor_within(y + 0.5f, -32768, 32767) - scale * (float)g->top;
+        paint_glyph(target, font, g, left, top, scale, ink);
+        x += scale * g->advance;
     }
 }
 

@@ -53,6 +53,8 @@ typedef struct wfScene {
        L, R, U, D, E for one of them, l and r together with up, others for none; or NULL */
     const char *demo;
     int32_t follow;             /* 1 + the body that the camera goes along with; 0: none */
+    const char *change;                     /* words for what T does; NULL: nothing */
+    int32_t points;             /* 1: it looks where the mouse is; 2: and Q, E turn that */
     const char *alias;                      /* another name: in addresses; or NULL */
 } wfScene;
 /* The scenes of a file. */

@@ -160,9 +160,10 @@ static const wfScene row[] = {
       PROMISE(1, 0.3) },
     { .category = "Shapes", .name = "outlines", .chapter = "compound",
       .text = "Outlines that are not convex, cut into convex pieces, hook into each other.",
-      .define = softly, .build = build_outlines, VIEW(0, 5, 12), PROMISE(2, 0.35) },
+      .define = softly, .build = build_outlines, VIEW(0, 5, 12), SHAPE(1.2),
+      PROMISE(2, 0.35) },
     { .category = "Shapes", .name = "round edges", .chapter = "shapes",
       .text = "Capsules, rounded boxes and rounded triangles in a bowl of links.",
-      .define = softly, .build = build_round, VIEW(0, 5, 11), PROMISE(2, 0.3) },
+      .define = softly, .build = build_round, VIEW(0, 5, 11), SHAPE(1.3), PROMISE(2, 0.3) },
 };
 const wfSceneGroup wfShapeScenes = { row, sizeof row / sizeof *row };

@@ -199,6 +199,7 @@ static void draw_pool(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     (void)in;
     wfBodyState cue = body_of(world, POOL_CUE), white = body_of(world, POOL_WHITE);
     wfRot q = wfRotation(cue.angle);
+    wfShapeDef stick;
     wfRayHit hit;
     wfRay ray = { wfAddScaled(white.p, pool_radius + WF_R(0.01), wfV2(q.c, q.s)),
                   wfScale(9, wfV2(q.c, q.s)) };
@@ -207,6 +208,8 @@ static void draw_pool(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawCircle(d, WF_XY(at), 0.2f, 3, WF_INK_LINE, WF_INK_PAPER);
     }
     wfDrawCircle(d, WF_XY(white.p), (float)pool_radius, 1.5f, WF_INK_LINE, WF_INK_PAPER);
+    if (wfGetShape(world, wfFirstShape(world, wfBodyAt(world, POOL_CUE)), &stick) == WF_OK)
+        wfDrawShape(d, &stick.shape, wfBodyTransform(&cue), WF_INK_ACCENT, WF_INK_ACCENT);
     if (pool_rests(world) && wfWorldCastRay(world, ray, NULL, &hit) == WF_OK)
         wfDrawDashed(d, WF_XY(ray.from), WF_XY(hit.point), 1.5f, WF_INK_FAINT);
 }
@@ -268,7 +271,7 @@ static const wfScene row[] = {
       .define = on_top, .build = build_pool, .update = play_pool, .draw = draw_pool,
       .controls = { [WF_LEFT] = "turn left", [WF_RIGHT] = "turn right",
                     [WF_DOWN] = "draw back" },
-      .demo = "..DDDDDD....................................", VIEW(0, -0.4, 6.2), SHAPE(2.05),
+      .demo = "..DDDDDD....................................", VIEW(0, -0.4, 6.2), SHAPE(1.76),
       PROMISE(-1, 0.15) },
     { .category = "Play", .name = "maze", .chapter = "world",
       .text = "A board that leans: gravity is a setting of the world. Roll into the hole.",

@@ -341,6 +341,11 @@ static void end_outline(tool_work *w)
     wfVec2 outline[TOOL_POINTS];
     int32_t where[2] = { -1, -1 };
     int pieces = 0, n = stroke_corners(m, outline);
+    if (n < 3) {
+        m->points = 0;
+        say_no(m, "no body of that: draw round an area");
+        return;
+    }
     wfResult result = wfCheckOutline(outline, n, where);
     bool crosses = result == WF_ERROR_CROSSES;
     if (crosses) memcpy(m->point, outline, sizeof(wfVec2) * (size_t)n), m->points = n;
@@ -411,6 +416,17 @@ static void complete_joint(const tool_work *w, wfJoint *j, wfVec2 from, wfVec2 t
     }
 }
 
+/* A joint needs a solver that keeps it. Undo takes back both. */
+static wfResult choose_solver(tool_work *w, const char *name)
+{
+    wfInput in = { .kind = WF_INPUT_SETTING };
+    const wfSetting *row = wfSettingTable;
+    while (strcmp(row->name, "solver") != 0) row++, in.index++;
+    for (int i = 0; wfSettingRowName(row, i); i++)
+        if (strcmp(wfSettingRowName(row, i), name) == 0) in.with.x = (wfReal)i;
+    return tool_put(w, &in, NULL);
+}
+
 static wfResult add_joint(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from,
                           wfVec2 to)
 {
@@ -423,6 +439,8 @@ static wfResult add_joint(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2
                             to, axis);
     complete_joint(w, &j, from, to);
     wfInput in = { .kind = WF_INPUT_ADD_JOINT, .joint = j };
+    wfResult result = tool_give(w, WF_MODULE_JOINTS, &in, NULL);
+    if (result != WF_ERROR_SOLVER || choose_solver(w, "soft") != WF_OK) return result;
     return tool_give(w, WF_MODULE_JOINTS, &in, NULL);
 }
 
@@ -740,6 +758,10 @@ static void add_bar(tool_work *w)
     wfInput in = { .kind = WF_INPUT_ADD_SHAPE };
     in.shape = wfDefaultShapeDef();
     wfResult result = bar_shape(end[0], end[1], &in.shape.shape);
+    if (result != WF_OK) {
+        say_no(m, "no bar: pull from one end of it to the other");
+        return;
+    }
     def.position = wfScale(WF_R(0.5), wfAdd(end[0], end[1]));
     def.userData = WF_INK_BODY2;
     if (result == WF_OK) result = add_body(w, &def, &id);
@@ -772,20 +794,20 @@ static void draw_bar(const tool_work *w, wfDraw *d)
 static void nothing(tool_work *w) { (void)w; }
 
 const tool_row toolTable[] = {
-    { "Hand", "drag bodies and throw them; the wheel turns what is held", 'g', 0,
+    { "Hand", "drag bodies and throw them", 'g', 0,
       choose_one, nothing, nothing, NULL },
     { "Place", "press for the middle of a new body, pull it to its size", 'b',
       1 << TOOL_SHAPE | 1 << TOOL_STUFF | 1 << TOOL_TYPE, nothing, nothing, place,
       draw_placing },
     { "Draw", "draw the outline of a new body", 'y', 1 << TOOL_STUFF | 1 << TOOL_TYPE,
       begin_stroke, add_point, end_outline, draw_stroke },
-    { "Pin", "click a body: it turns about that point of the ground", 'i', 0, nothing,
+    { "Pin", "press on a body: it turns about that point of the ground", 'i', 0, nothing,
       nothing, pin, NULL },
     { "Connect", "press on one body, let go on another, or on the ground", 'j',
       1 << TOOL_JOINT, nothing, nothing, connect, draw_connecting },
     { "Lasso", "draw a loop; then drag, pin or delete who is in it", 'l', 0, begin_lasso,
       pull_lasso, end_lasso, draw_stroke },
-    { "Delete", "click a body or a joint", 'x', 0, nothing, nothing, away, NULL },
+    { "Delete", "press on a body or a joint", 'x', 0, nothing, nothing, away, NULL },
     { "Probe", "pull a ray or a shape through the world", 'v', 1 << TOOL_PROBE, begin_probe,
       nothing, nothing, draw_probe },
     { "Kick", "press on a body, pull, let go: an impulse", ';', 0, nothing, nothing,

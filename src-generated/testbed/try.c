@@ -25,6 +25,7 @@ void game_begin_challenge(game *g)
 {
     g->state->challenge = 1 + wfFindChallenge(g->scene->name);
     g->state->given = g->state->opened ? sum_of(g) : 0;
+    if (g->input->steps < 0) g->state->paused = g->state->waits = 1;    /* for its reader */
 }
 
 /* A change by the user, before it is made. */

@@ -15,9 +15,12 @@ static void take_keys(ui *u, const game_input *input)
         if (key == GAME_KEY_PAGE_DOWN) m->focus = m->focus % (m->count ? m->count : 1) + 1;
         if (key == GAME_KEY_PAGE_UP) m->focus = m->focus > 1 ? m->focus - 1 : m->count;
         if (key == GAME_KEY_ESCAPE) m->focus = 0, m->open = 0;
-        if (m->focus && !m->edits && key == GAME_KEY_ENTER) u->enter = true;
+        if (m->focus && !m->edits && !m->typing && key == GAME_KEY_ENTER) u->enter = true;
         if (m->focus && key == GAME_KEY_LEFT) u->turn = -1;
         if (m->focus && key == GAME_KEY_RIGHT) u->turn = 1;
+        if (m->open && key == GAME_KEY_ENTER) m->open = 0, u->enter = false;
+        if (m->open && key == GAME_KEY_UP) u->pick--;
+        if (m->open && key == GAME_KEY_DOWN) u->pick++;
     }
 }
 
@@ -55,7 +58,7 @@ void ui_show(ui *u, wfDraw *draw)
 {
     u->draw = draw;
     u->click = u->press = u->enter = false;
-    u->turn = 0;
+    u->turn = u->pick = 0;
     u->index = 0;
     u->tapped = 0;
     u->tip = NULL;
@@ -231,12 +234,13 @@ bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
     const char *icon = icon_of(name);
     ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            on ? WF_INK_ACCENT : WF_INK_PAPER);
+    float more = u->finger ? 3 : 0;             /* half the way to the next row */
     bool alone = icon && w <= UI_ICON;
     draw_icon(u, icon, x + (alone ? w / 2 - 6 : 3), y + 6);
-    if (alone) return ui_area(u, name, x, y, w, 24);
+    if (alone) return ui_area(u, name, x, y - more, w, 24 + 2 * more);
     if (icon) ui_text(u, x + 18, y + 16.5f, 13, WF_INK_TEXT, -1, name);
     else ui_text(u, x + w / 2, y + 16.5f, 13, WF_INK_TEXT, 0, name);
-    return ui_area(u, name, x, y, w, 24);
+    return ui_area(u, name, x, y - more, w, 24 + 2 * more);
 }
 
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
@@ -254,14 +258,17 @@ bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
     return ui_area(u, name, x, y, w, 19);
 }
 
+float ui_row_high(const ui *u) { return u->finger ? 28 : 19; }
+
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
-    bool hot = ui_inside(u, x, y, w, 19);
+    float high = ui_row_high(u);
+    bool hot = ui_inside(u, x, y, w, high);
     if (on || hot)
-        ui_box(u, x, y, w, 19, on ? WF_INK_ACCENT : WF_INK_FAINT,
+        ui_box(u, x, y, w, high, on ? WF_INK_ACCENT : WF_INK_FAINT,
                on ? WF_INK_ACCENT : WF_INK_FAINT);
-    ui_text(u, x + 8, y + 13.5f, 13, WF_INK_TEXT, -1, name);
-    return ui_area(u, name, x, y, w, 19);
+    ui_text(u, x + 8, y + high / 2 + 4, 13, WF_INK_TEXT, -1, name);
+    return ui_area(u, name, x, y, w, high);
 }
 
 /* The value v0 after a pull by d units: eq:interface-linear for a number with two ends,
@@ -442,6 +449,10 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
     ui_fitted(u, left + 6, y + 15, WF_INK_TEXT, wide - 26,
               text ? ui_words(text, words) : "?");
     draw_triangle(u, x + w - 12, y + UI_LINE / 2);
+    if (open && u->pick) {
+        row = *now + u->pick;
+        *now = row < 0 ? 0 : row < count ? row : count - 1;
+    }
     if (open && (row = menu_row(u, count)) >= 0) {
         *now = row;
         m->open = 0;
@@ -467,9 +478,12 @@ bool ui_takes(ui_memory *m, int32_t key)
 {
     size_t length = strlen(m->query);
     if (m->edits) return takes_digit(m, key);
+    if (m->open && (key == GAME_KEY_UP || key == GAME_KEY_DOWN || key == GAME_KEY_ENTER))
+        return true;
     if (!m->typing) {
         if (key != '/') return false;
         m->typing = 1;
+        m->focus = 0;
         m->query[0] = 0;
         return true;
     }

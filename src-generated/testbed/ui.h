@@ -45,7 +45,7 @@ typedef struct ui {
     bool hot;                   /* the mouse is over something that can be clicked */
     uint32_t tapped;            /* what the mouse held, and let go where it took it */
     bool enter;                 /* the widget with the keys was pressed by a key */
-    int turn;                   /* the arrow keys: -1, 0 or 1 */
+    int turn, pick;             /* the arrow keys: -1, 0 or 1; rows of an open list */
     int32_t index;              /* of the widget, from 1 */
     const char *tip;            /* what to say about the one under the mouse, ... */
     float tip_x, tip_y;         /* ... which is above this place */
@@ -80,6 +80,7 @@ bool ui_has_icon(const char *name);     /* a button of this name is wider by 13 
 bool ui_button(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on);
+float ui_row_high(const ui *u);         /* units: more for a finger */
 
 /* What a number may be: ends (may be huge), its usual size; whole: an integer. */
 typedef struct ui_range { double least, most, usual; bool whole; } ui_range;

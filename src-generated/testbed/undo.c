@@ -4,42 +4,6 @@
 #include <string.h>
 #include "testbed/game.h"
 
-enum { WISHES = sizeof((game_state *)0)->changed + sizeof((game_state *)0)->wanted };
-
-static void drop_first(game *g)
-{
-    game_state *s = g->state;
-    size_t gone = s->undo[0].size;
-    s->undo_count--;
-    if (s->undo_at > 0) s->undo_at--;
-    for (int32_t i = 0; i < s->undo_count; i++) {
-        s->undo[i] = s->undo[i + 1];
-        s->undo[i].at -= gone;
-    }
-    const undo_moment *last = &s->undo[s->undo_count > 0 ? s->undo_count - 1 : 0];
-    if (s->undo_count > 0) memmove(g->undo, g->undo + gone, last->at + last->size);
-}
-
-/* Keeps the world behind the other moments; false when it doesn't fit at all. */
-static bool keep_world(game *g)
-{
-    game_state *s = g->state;
-    size_t size = wfSnapshotSize(&g->world), need = WISHES + size, end;
-    if (need > UNDO_BYTES) s->undo_at = s->undo_count = 0;
-    if (need > UNDO_BYTES) return false;
-    for (;; drop_first(g)) {
-        const undo_moment *last = &s->undo[s->undo_count > 0 ? s->undo_count - 1 : 0];
-        end = s->undo_count > 0 ? last->at + last->size : 0;
-        if (s->undo_count < UNDO_MOST && need <= UNDO_BYTES - end) break;
-    }
-    uint8_t *to = g->undo + end;
-    memcpy(to, s->changed, sizeof s->changed);
-    memcpy(to + sizeof s->changed, s->wanted, sizeof s->wanted);
-    if (wfSnapshotWorld(&g->world, to + WISHES, size, &size) != WF_OK) return false;
-    s->undo[s->undo_count++] = (undo_moment){ end, WISHES + size, wfWorldSteps(&g->world) };
-    return true;
-}
-
 /* begin and end a change */
 tool_work game_tools_of(game *g)
 {
@@ -68,7 +32,7 @@ wfJournal *game_begin_edit(void *context, const wfInput *in)
     game_note_ring(g);
     s->ring_due = 1;
     s->undo_count = s->undo_at;
-    if (keep_world(g)) s->undo_at = s->undo_count;
+    if (game_keep_world(g)) s->undo_at = s->undo_count;
     return g->noted;
 }
 
@@ -89,12 +53,29 @@ void game_end_edit(game *g)
 }
 
 /* go to a moment of undo */
+static wfResult restore(game *g, const undo_moment *m)
+{
+    const uint8_t *from = g->undo + m->at + WISHES;
+    size_t size = m->size - WISHES;
+    wfResult result = wfRestoreWorld(&g->world, from, size);
+    for (int i = 0; i < 6 && (result == WF_ERROR_FULL || result == WF_ERROR_BUILT_IN); i++)
+        if (game_make_room(g, wfDefaultWorldDef().modules) == WF_OK)
+            result = wfRestoreWorld(&g->world, from, size);
+    return result;
+}
+
 static void go_to(game *g, int32_t to, uint64_t common)
 {
     game_state *s = g->state;
     const undo_moment *m = &s->undo[to];
     const uint8_t *from = g->undo + m->at;
-    s->result = wfRestoreWorld(&g->world, from + WISHES, m->size - WISHES);
+    int32_t count = s->undo_count;
+    if (m->row != s->row) {
+        s->undo_at = s->undo_count = 0;
+        game_open_scene(g, m->row);
+        s->undo_count = count;
+    }
+    s->result = restore(g, m);
     if (s->result != WF_OK) return;
     memcpy(s->changed, from, sizeof s->changed);
     memcpy(s->wanted, from + sizeof s->changed, sizeof s->wanted);
@@ -114,7 +95,7 @@ static void go_to(game *g, int32_t to, uint64_t common)
 void game_undo(game *g)
 {
     game_state *s = g->state;
-    if (s->undo_at == s->undo_count && s->undo_at > 0) keep_world(g);
+    if (s->undo_at == s->undo_count && s->undo_at > 0) game_keep_world(g);
     game_tell(g, s->undo_at == 0, s->undo_at ? "taken back" : "there is nothing to undo");
     if (s->undo_at > 0) go_to(g, s->undo_at - 1, s->undo[s->undo_at - 1].step);
 }

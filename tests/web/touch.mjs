@@ -113,6 +113,22 @@ for (const [name, width, height, colorScheme] of [['upright by day', 390, 844, '
   check((await tell()).startsWith('scene pyramid\n'), `${name}: the letters found ${(await tell()).split('\n')[0]}`);
   near(await fact('list'), 0, 0, `${name}: the list after a choice`);
   check(await bed.evaluate(() => document.activeElement.id) === 'testbed', `${name}: the keyboard stays`);
+  // a number is typed, too
+  await tap('Settings');
+  await tap('gravity.y');
+  if (check(await bed.evaluate(() => document.activeElement.className) === 'letters', `${name}: a tap on a number raises no keyboard`)) {
+    await bed.keyboard.insertText('-3');
+    await bed.keyboard.press('Enter');
+    await bed.waitForTimeout(300);
+    await bed.evaluate(() => document.getElementById('testbed').game.more());
+    check(/gravity\.y=-3(&|$)/.test(await canvas.evaluate(c => c.game.say('web_link'))), `${name}: -3 was typed for gravity: ${await canvas.evaluate(c => c.game.say('web_link'))}`);
+  }
+  await tap('Settings');
+  // Dark and Light are the page's, too
+  const theme = () => bed.evaluate(() => document.documentElement.dataset.theme), day = await theme();
+  await tap(day === 'dark' ? 'Light' : 'Dark');
+  await bed.waitForTimeout(200);
+  check(await theme() !== day && await fact('dark') === (day === 'dark' ? 0 : 1), `${name}: the picture is ${await fact('dark') ? 'dark' : 'light'} and the page ${await theme()}`);
   await bed.close();
   const wrong = await open('testbed.html#stack of bixes');
   await wrong.waitForFunction(() => { const c = document.getElementById('testbed'); return c.game && /^said there is no scene stack of bixes$/m.test(c.game.describe()); }, null, { timeout: 20000 })

@@ -16,7 +16,7 @@ const late = ['TC06 quad tree', 'integrators', 'round edges', 'crane', 'spring a
 const frames = (x, count, width = 1280, height = 800, scale = 1) => {
   for (let i = 0; i < count; i++) {
     x.web_frame(width, height, scale, i ? 1 / 60 : 0, -1);
-    x.web_still(); x.web_cursor(); x.web_wanted(); x.web_file_name(); x.web_file_bytes(); x.web_file_size();
+    x.web_still(); x.web_cursor(); x.web_dark(); x.web_wanted(); x.web_file_name(); x.web_file_bytes(); x.web_file_size();
     if (x.web_wish()) x.web_grant(-1, 0);
   }
 };

@@ -1,0 +1,283 @@
+/* What somebody who had never seen the testbed stumbled over, each thing once. */
+#include "play.h"
+#include <math.h>
+#include "testbed/game.h"
+
+static game_state *state_of(const play *p) { return p->memory.permanent; }
+
+static void begin(play *p, int width, int height, float scale, const char *first)
+{
+    *p = play_open(width, height, scale);
+    p->sparing = true;
+    play_run(p, first);
+}
+
+static void key(play *p, int32_t k)
+{
+    game_input in = { .steps = 0, .key_count = 1, .keys = { k } };
+    game_update_and_render(&p->memory, &in, &p->buffer);
+    game_describe(&p->memory, p->text, sizeof p->text);
+}
+
+static void press(play *p, double x, double y, double to_x, double to_y)
+{
+    char script[200];
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nframe\nup left\nframe\nframe\n", x, y, to_x, to_y);
+    play_run(p, script);
+}
+
+TEST(a_slash_brings_the_list)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene pyramid\nframe\nkey tab\nframe\n");
+    assert_near(play_fact(&p, "list", 0), 0, 0);
+    play_run(&p, "steps 0\nkey /\nframe\nkey t\nframe\nkey o\nframe\nkey w\nframe\nframe\n");
+    assert_near(play_fact(&p, "list", 0), 1, 0);
+    assert_non_null(play_line(&p, "widget tower"));
+    play_end(&p);
+}
+
+/* Enter in the field takes what was found first, wherever the ring of the keys was. */
+TEST(enter_takes_what_was_found)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene pyramid\nframe\nframe\n");
+    for (int i = 0; i < 4; i++) key(&p, GAME_KEY_PAGE_DOWN);
+    play_run(&p, "steps 0\nkey /\nframe\nkey c\nframe\nkey r\nframe\nkey a\nframe\nkey d\nframe\nkey l\nframe\nkey enter\nframe\nframe\n");
+    assert_true(strncmp(p.text, "scene cradle\n", 13) == 0);
+    assert_true(state_of(&p)->wanted_on == 0 && state_of(&p)->wanted_off == 0);      /* and pressed nothing */
+    play_end(&p);
+}
+
+/* A tool that nobody sees is not used: with its row, the hand comes back. */
+TEST(a_tool_goes_with_its_row)
+{
+    play p;
+    begin(&p, 780, 1500, 2, "steps 0\nscene pyramid\nframe\nframe\n");
+    play_click(&p, "Tools");
+    play_run(&p, "steps 0\nframe\nframe\n");
+    play_click(&p, "Delete");
+    assert_true(play_says(&p, "tool Delete"));
+    play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
+    assert_true(play_says(&p, "tool Delete"));              /* its row is there, and it is lit */
+    play_click(&p, "Tools");
+    play_run(&p, "steps 0\nframe\nframe\n");
+    assert_true(play_says(&p, "tool Hand"));
+    key(&p, 'x');                                           /* a key brings the row */
+    play_run(&p, "steps 0\nframe\nframe\n");
+    assert_true(play_says(&p, "tool Delete"));
+    assert_non_null(play_line(&p, "widget Lasso"));
+    play_end(&p);
+}
+
+TEST(arrows_choose_in_a_list_that_is_open)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene pyramid\nframe\nframe\n");
+    play_click(&p, "Place");
+    play_run(&p, "steps 0\nframe\n");
+    play_click(&p, "new shape");
+    double y = play_fact(&p, "view", 1);
+    key(&p, GAME_KEY_DOWN);
+    key(&p, GAME_KEY_DOWN);
+    assert_int_equal(state_of(&p)->tools.choice[TOOL_SHAPE], 2);
+    assert_true(state_of(&p)->ui.open != 0);
+    key(&p, GAME_KEY_ENTER);
+    assert_int_equal(state_of(&p)->ui.open, 0);
+    assert_int_equal(state_of(&p)->tools.choice[TOOL_SHAPE], 2);
+    assert_near(play_fact(&p, "view", 1), y, 0);
+    play_end(&p);
+}
+
+/* A pin holds in a world whose solver keeps contacts only; undo takes back both. */
+TEST(a_pin_changes_the_solver)
+{
+    play p;
+    wfWorldDef def;
+    game g;
+    begin(&p, 1100, 700, 1, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
+    game_begin_call(&g, &p.memory, &p.in);
+    assert_int_equal(wfGetWorldDef(&g.world, &def), WF_OK);
+    int was = def.solver;
+    play_click(&p, "Pin");
+    double x = play_fact(&p, "body 6", 2), y = play_fact(&p, "body 6", 3);
+    press(&p, x, y, x, y);
+    assert_true(play_says(&p, "said pinned"));
+    game_begin_call(&g, &p.memory, &p.in);
+    assert_int_equal(wfGetWorldDef(&g.world, &def), WF_OK);
+    assert_true(def.solver != was);
+    key(&p, GAME_KEY_UNDO);
+    game_begin_call(&g, &p.memory, &p.in);
+    assert_int_equal(wfGetWorldDef(&g.world, &def), WF_OK);
+    assert_int_equal(def.solver, was);
+    assert_int_equal(wfWorldJointPlaces(&g.world), 0);
+    play_end(&p);
+}
+
+TEST(what_no_body_can_be_made_of_is_told_in_words)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
+    play_click(&p, "Draw");
+    press(&p, 400, 250, 500, 250);
+    assert_true(play_says(&p, "said no body of that: draw round an area"));
+    play_click(&p, "Bar");
+    press(&p, 400, 250, 400, 250);
+    assert_true(play_says(&p, "said no bar: pull from one end of it to the other"));
+    play_end(&p);
+}
+
+/* The sheet of keys lies on the drawer of scenes: no row of that can be pressed through it. */
+TEST(the_sheet_of_keys_is_above_all)
+{
+    play p;
+    begin(&p, 700, 500, 1, "steps 0\nscene pyramid\nframe\nkey tab\nframe\nframe\n");
+    assert_non_null(play_line(&p, "widget find"));
+    play_run(&p, "steps 0\nkey ?\nframe\nframe\n");
+    assert_null(play_line(&p, "widget find"));
+    play_run(&p, "steps 0\nkey ?\nframe\nframe\n");
+    assert_non_null(play_line(&p, "widget find"));
+    play_end(&p);
+}
+
+/* A second world is one that this scene can have; without one the picture is not halved. */
+TEST(two_worlds_are_two)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 1\nscene springs\nwait 5\nkey s\nframe\n");
+    play_click(&p, "Compare");
+    play_run(&p, "steps 0\nframe\n");
+    play_click(&p, "Two");
+    play_run(&p, "steps 1\nwait 10\n");
+    assert_int_equal(state_of(&p)->other[0], WF_OK);
+    assert_true(game_has_panes(state_of(&p)));
+    state_of(&p)->value[0] = 0;                             /* impulses keep no joint */
+    play_run(&p, "steps 0\nkey r\nframe\nframe\n");
+    assert_true(state_of(&p)->other[0] != WF_OK);
+    assert_false(game_has_panes(state_of(&p)));
+    play_end(&p);
+}
+
+/* What was built comes back, after Reset and after another scene. */
+TEST(what_was_built_comes_back)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene dominoes\nframe\nframe\n");
+    int bodies = (int)play_fact(&p, "bodies", 0);
+    play_click(&p, "Place");
+    press(&p, 500, 250, 520, 260);
+    press(&p, 700, 250, 720, 260);
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 2);
+    char was[40];
+    snprintf(was, sizeof was, "%.40s", play_line(&p, "hash"));
+    play_run(&p, "steps 0\nkey r\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
+    key(&p, GAME_KEY_UNDO);
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 2);
+    assert_int_equal(strncmp(was, play_line(&p, "hash"), 20), 0);
+    key(&p, GAME_KEY_REDO);
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
+    key(&p, GAME_KEY_UNDO);
+    play_run(&p, "steps 0\nkey ]\nframe\nframe\n");
+    assert_true(strncmp(p.text, "scene dominoes\n", 15) != 0);
+    assert_true(play_says(&p, "said Undo brings back what you have changed"));
+    key(&p, GAME_KEY_UNDO);
+    assert_true(strncmp(p.text, "scene dominoes\n", 15) == 0);
+    assert_int_equal(strncmp(was, play_line(&p, "hash"), 20), 0);
+    key(&p, GAME_KEY_UNDO);
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 1);
+    play_end(&p);
+    /* nobody has changed this scene, although there is something to undo: it begins again when all have left */
+    begin(&p, 1100, 700, 1, "steps 0\nscene dominoes\nframe\nframe\n");
+    play_click(&p, "Place");
+    press(&p, 500, 250, 520, 260);
+    play_run(&p, "steps 0\nscene free-fall\nframe\nframe\n");
+    assert_false(game_was_changed(state_of(&p)));
+    play_end(&p);
+}
+
+/* A challenge stands at its beginning each time, whatever the clock says. */
+TEST(a_challenge_begins_at_rest)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "seconds 0.02\nsteps -1\nscene challenge=beam\nframe\nframe\n");
+    for (int i = 0; i < 4; i++) {
+        assert_near(play_fact(&p, "paused", 0), 1, 0);
+        assert_near(play_fact(&p, "steps", 0), 0, 0);
+        for (int k = 0; k < 2; k++) {
+            char label[60], script[160];
+            snprintf(label, sizeof label, "widget %s pixel", k ? "Restart" : "Start");
+            snprintf(script, sizeof script, "seconds 0.02\nsteps -1\nmove %g %g\nframe\nclick left\nwait %d\n", play_fact(&p, label, 0), play_fact(&p, label, 1), k ? 2 : 20 + i);
+            play_run(&p, script);
+        }
+    }
+    play_end(&p);
+}
+
+TEST(a_finger_types_numbers_and_sees_what_it_chooses)
+{
+    play p;
+    begin(&p, 780, 1500, 2, "finger 1\nsteps 0\nscene stack-of-boxes\nframe\nframe\n");
+    state_of(&p)->panel = 1;
+    play_run(&p, "finger 1\nsteps 0\nframe\nframe\n");
+    assert_true(play_fact(&p, "body 6 x", 3) < play_fact(&p, "widget World pixel", 1));       /* above the panel, and in view */
+    assert_true(play_fact(&p, "body 6 x", 3) > 0);
+    assert_false(game_wants_letters(&p.memory));
+    char script[160];
+    snprintf(script, sizeof script, "finger 1\nsteps 0\nmove %g %g\ndown left\nframe\nup left\nframe\nframe\n", play_fact(&p, "widget gravity.y pixel", 0),
+             play_fact(&p, "widget gravity.y pixel", 1));
+    play_run(&p, script);
+    assert_true(game_wants_letters(&p.memory));
+    play_end(&p);
+}
+
+/* Rows and buttons for fingers are as high as there is room for: 28 and 30 units of 1.25. */
+TEST(a_finger_hits_what_it_is_for)
+{
+    play p;
+    begin(&p, 780, 1500, 2, "finger 1\nsteps 0\nscene stack-of-boxes\nframe\nframe\n");
+    double x = play_fact(&p, "widget Pause pixel", 0), y = play_fact(&p, "widget Pause pixel", 1);
+    char script[160];
+    snprintf(script, sizeof script, "finger 1\nsteps 0\nmove %g %g\ndown left\nframe\nup left\nframe\n", x, y + 14 * 2.5);
+    play_run(&p, script);
+    assert_near(play_fact(&p, "paused", 0), 1, 0);
+    state_of(&p)->list = 1;
+    play_run(&p, "finger 1\nsteps 0\nframe\nframe\n");
+    assert_true(play_fact(&p, "widget pyramid pixel", 1) - play_fact(&p, "widget stack of boxes pixel", 1) > 27 * 2.5);
+    play_end(&p);
+}
+
+TEST(an_empty_picture_says_how_to_come_back)
+{
+    play p;
+    begin(&p, 780, 1500, 2, "finger 1\nsteps 0\nscene stack-of-boxes\nframe\npan 3000 0\nframe\nframe\n");
+    const char *at = p.memory.transient;
+    bool found = false;
+    for (size_t i = 0; i + 20 < p.memory.transient_size && !found; i++) found = memcmp(at + i, "nothing is in view: ", 20) == 0;
+    assert_true(found);
+    play_end(&p);
+}
+
+/* The largest letters leave room for the picture, on a telephone and in a small window. */
+TEST(sizes_leave_room)
+{
+    static const struct { int width, height; float scale; } of[] = { { 780, 1500, 2 }, { 320, 240, 1 }, { 1280, 800, 1 } };
+    for (int i = 0; i < 3; i++) {
+        play p;
+        begin(&p, of[i].width, of[i].height, of[i].scale, "steps 0\nscene stack-of-boxes\nframe\n");
+        state_of(&p)->letters = 4;
+        play_run(&p, "steps 0\nframe\nframe\n");
+        assert_true(state_of(&p)->width >= 239.9f && state_of(&p)->height >= 199.9f);
+        assert_true(i < 2 || state_of(&p)->scale > 1.99f);
+        play_end(&p);
+    }
+}
+
+/* The offers are above what rests. */
+TEST(offers_lie_on_no_body)
+{
+    play p;
+    begin(&p, 1280, 800, 1, "steps 1\nscene tower\nwait 900\n");
+    assert_true(play_fact(&p, "widget Throw a ball pixel", 1) < play_fact(&p, "body 10 x", 3) - 20);
+    play_end(&p);
+}

@@ -1,0 +1,252 @@
+/* The words of the testbed: as large as is asked for, apart from each other, of fingers where there are fingers, and not over what they speak of. */
+#include "play.h"
+#include <math.h>
+#include "testbed/font.h"
+#include "testbed/game.h"
+#include "testbed/raster.h"
+
+static game_state *state_of(const play *p) { return p->memory.permanent; }
+
+static void begin(play *p, int width, int height, float scale, int finger, const char *scene)
+{
+    char script[120];
+    *p = play_open(width, height, scale);
+    snprintf(script, sizeof script, "finger %d\nsteps 0\nscene %s\nframe\nframe\n", finger, scene);
+    for (char *at = strstr(script, "scene ") + 6; *at != '\n'; at++) *at = *at == ' ' ? '-' : *at;
+    play_run(p, script);
+}
+
+/* The box of the pixels of this ink in a part of the picture: left, top, right, bottom; how many there are. */
+static int ink_box(const play *p, wfInk ink, const int part[4], int box[4])
+{
+    int count = 0;
+    box[0] = box[1] = 1 << 30, box[2] = box[3] = -1;
+    for (int y = part[1]; y < part[3]; y++)
+        for (int x = part[0]; x < part[2]; x++) {
+            uint8_t at[4];
+            memcpy(at, &p->buffer.pixels[y * p->buffer.pitch + x], 4);
+            if (abs(at[0] - ink.r) > 60 || abs(at[1] - ink.g) > 60 || abs(at[2] - ink.b) > 60) continue;
+            count++;
+            box[0] = x < box[0] ? x : box[0], box[2] = x > box[2] ? x : box[2];
+            box[1] = y < box[1] ? y : box[1], box[3] = y > box[3] ? y : box[3];
+        }
+    return count;
+}
+
+static void tap(play *p, const char *widget)
+{
+    char label[80], script[160];
+    snprintf(label, sizeof label, "widget %s pixel", widget);
+    snprintf(script, sizeof script, "finger 1\nsteps 0\nmove %g %g\ndown left\nframe\nup left\nframe\nframe\n", play_fact(p, label, 0), play_fact(p, label, 1));
+    play_run(p, script);
+}
+
+/* Size is for letters, too: the scene's name is as much larger as the buttons are. */
+TEST(letters_are_as_large_as_their_size)
+{
+    float high[3];
+    for (int size = 0; size < 3; size++) {
+        static const int32_t row[3] = { 1, 4, 5 };          /* 1, 2 and 0.85 */
+        play p;
+        int box[4];
+        begin(&p, 1800, 1100, 1, 0, "stack-of-boxes");
+        state_of(&p)->letters = row[size];
+        play_run(&p, "steps 0\nframe\nframe\nframe\n");
+        const game_state *s = state_of(&p);
+        int left = (int)((s->list ? 224 : 16) * s->scale), y = (int)((s->head - 27) * s->scale);
+        const int part[4] = { left - 2, y - (int)(18 * s->scale), left + (int)(90 * s->scale), y };
+        assert_true(ink_box(&p, wfLightPalette.mark[WF_INK_TEXT], part, box) > 20);
+        high[size] = (float)(box[3] - box[1] + 1);
+        play_end(&p);
+    }
+    assert_near(high[1] / high[0], 2, 0.25);
+    assert_near(high[2] / high[0], 0.85, 0.1);
+}
+
+/* What is written of the scene is nowhere on something else that is written of it. */
+static void words_are_apart(const char *scene, int width, int height, int steps)
+{
+    static uint8_t memory[4 << 20];
+    play p;
+    game g;
+    wfDraw d;
+    float view[4], box[200][4];
+    const char *said[200];
+    int count = 0;
+    char script[60];
+    begin(&p, width, height, 2, 1, scene);
+    snprintf(script, sizeof script, "finger 1\nsteps 1\nwait %d\n", steps);
+    p.sparing = true;
+    play_run(&p, script);
+    game_begin_call(&g, &p.memory, &p.in);
+    wfDrawInit(&d, memory, sizeof memory);
+    camera_window(&state_of(&p)->camera, (float)width, (float)height, view);
+    state_of(&p)->show = 0;
+    game_list_world(&g, &d, view);
+    float k = state_of(&p)->scale;
+    for (int i = 0; i < d.count && count < 200; i++) {
+        const wfDrawCommand *c = wfDrawAt(&d, i);
+        if (c->kind != WF_DRAW_TEXT) continue;
+        float at[2], size = k * c->size, wide = wfTextWidth(&wfBakedFont, size, wfDrawString(&d, c));
+        camera_see(&state_of(&p)->camera, wfDrawPoints(&d, c)[0], wfDrawPoints(&d, c)[1], at);
+        at[0] -= 0.5f * (float)(c->anchor + 1) * wide;
+        float here[4] = { at[0], at[1] - 0.73f * size, at[0] + wide, at[1] };
+        said[count] = wfDrawString(&d, c);
+        memcpy(box[count++], here, sizeof here);
+    }
+    for (int i = 0; i < count; i++)
+        for (int j = 0; j < i; j++)
+            if (box[i][0] < box[j][2] && box[j][0] < box[i][2] && box[i][1] < box[j][3] && box[j][1] < box[i][3])
+                fail_msg("%s at %d x %d: '%s' lies on '%s'", scene, width, height, said[i], said[j]);
+    play_end(&p);
+}
+
+TEST(words_of_a_scene_are_apart)
+{
+    for (int i = 0; i < wfSceneCount(); i++) {
+        const wfScene *s = wfSceneAt(i);
+        if (!s->draw || s->alias || strcmp(s->name, "TC06 quad tree") == 0) continue;       /* there they go with their bodies */
+        for (int way = 0; way < 2; way++) words_are_apart(s->name, way ? 1688 : 780, way ? 660 : 1500, 150);
+    }
+}
+
+/* The hourglass' numbers begin at its right, on the narrowest picture, too. */
+TEST(the_hourglass_has_its_numbers_beside_it)
+{
+    static uint8_t memory[4 << 20];
+    for (int way = 0; way < 2; way++) {
+        play p;
+        game g;
+        wfDraw d;
+        int found = 0;
+        begin(&p, way ? 1688 : 780, way ? 660 : 1500, 2, 1, "hourglass");
+        game_begin_call(&g, &p.memory, &p.in);
+        wfDrawInit(&d, memory, sizeof memory);
+        float view[4];
+        camera_window(&state_of(&p)->camera, (float)p.buffer.width, (float)p.buffer.height, view);
+        game_list_world(&g, &d, view);
+        for (int i = 0; i < d.count; i++) {
+            const wfDrawCommand *c = wfDrawAt(&d, i);
+            if (c->kind != WF_DRAW_TEXT) continue;
+            float at[2], size = c->size * state_of(&p)->scale, wide = wfTextWidth(&wfBakedFont, size, wfDrawString(&d, c));
+            camera_see(&state_of(&p)->camera, wfDrawPoints(&d, c)[0], wfDrawPoints(&d, c)[1], at);
+            at[0] -= 0.5f * (float)(c->anchor + 1) * wide;
+            float wall[2];
+            camera_see(&state_of(&p)->camera, 1.6f, 0, wall);     /* its walls are 1.5 m from its middle, and 0.1 thick */
+            if (at[0] < wall[0] || at[0] + wide > (float)p.buffer.width) fail_msg("'%s' at %g", wfDrawString(&d, c), (double)at[0]);
+            found++;
+        }
+        assert_int_equal(found, 2);
+        play_end(&p);
+    }
+}
+
+TEST(the_tabs_of_settings_are_one_row)
+{
+    static const char *const tab[] = { "World", "Body", "Needs", "Files", "See", "Compare" };
+    static const struct { int width, height; float scale; int finger; } of[] = { { 780, 1500, 2, 1 }, { 1688, 660, 2, 1 }, { 1100, 700, 1, 0 } };
+    for (int i = 0; i < 3; i++) {
+        play p;
+        begin(&p, of[i].width, of[i].height, of[i].scale, of[i].finger, "stack-of-boxes");
+        state_of(&p)->panel = 1;
+        play_run(&p, of[i].finger ? "finger 1\nsteps 0\nframe\nframe\n" : "steps 0\nframe\nframe\n");
+        double y = 0, end = 0;
+        for (int k = 0; k < 6; k++) {
+            char label[40];
+            snprintf(label, sizeof label, "widget %s pixel", tab[k]);
+            double x = play_fact(&p, label, 0), half = (double)state_of(&p)->scale * (double)(wfTextWidth(&wfBakedFont, 13, tab[k]) / 2 + 2);
+            if (k == 0) y = play_fact(&p, label, 1);
+            assert_near(play_fact(&p, label, 1), y, 0.1);
+            assert_true(x - half >= end);
+            end = x + half;
+        }
+        assert_true(end <= of[i].width);
+        play_end(&p);
+    }
+}
+
+/* The words of the last picture lie in the memory that it was listed in. */
+static bool is_written(const play *p, const char *words)
+{
+    const char *at = p->memory.transient;
+    size_t length = strlen(words);
+    for (size_t i = 0; i + length <= p->memory.transient_size; i++)
+        if (at[i] == words[0] && memcmp(at + i, words, length) == 0) return true;
+    return false;
+}
+
+TEST(where_there_are_fingers_words_speak_of_fingers)
+{
+    static const char *const never[] = { "click", "mouse", "wheel", "Click", "Ctrl", "all keys", "T, Q, E", "T: more", "W: world", "F: writes", "the key" };
+    for (int i = 0; i < toolCount; i++)                     /* of scenes and tools */
+        for (size_t k = 0; k < sizeof never / sizeof *never; k++) assert_null(strstr(toolTable[i].text, never[k]));
+    for (int i = 0; i < wfSceneCount(); i++)
+        for (size_t k = 0; k < sizeof never / sizeof *never; k++)
+            if (strncmp(never[k], "whee", 4) != 0 && strstr(wfSceneAt(i)->text, never[k])) fail_msg("%s: %s", wfSceneAt(i)->name, never[k]);
+    play p;
+    begin(&p, 1100, 700, 1, 0, "stack-of-boxes");           /* with a mouse they are there, and so they would be found */
+    state_of(&p)->panel = 1, state_of(&p)->tab = 3;
+    play_run(&p, "steps 0\nframe\nframe\n");
+    assert_true(is_written(&p, "all keys") && is_written(&p, "W: world"));
+    play_end(&p);
+    for (int32_t tab = -1; tab < 6; tab++) {
+        begin(&p, 780, 1500, 2, 1, "stack-of-boxes");
+        state_of(&p)->panel = tab >= 0, state_of(&p)->tab = tab < 0 ? 0 : tab;
+        play_run(&p, "finger 1\nsteps 0\nframe\nframe\n");
+        for (size_t k = 0; k < sizeof never / sizeof *never; k++)
+            if (is_written(&p, never[k])) fail_msg("page %d of Settings says '%s' to a finger", (int)tab, never[k]);
+        play_end(&p);
+    }
+}
+
+/* What T, Q and E do, buttons do. */
+TEST(a_scene_that_is_changed_by_keys_has_buttons)
+{
+    play p;
+    begin(&p, 780, 1500, 2, 1, "solvers");
+    play_run(&p, "finger 1\nsteps 0\nframe\n");
+    int32_t was = state_of(&p)->input.choice;
+    tap(&p, "More passes");
+    assert_int_equal(state_of(&p)->input.choice, was + 1);
+    play_end(&p);
+    begin(&p, 780, 1500, 2, 1, "TC05-colours");
+    wfReal turn = state_of(&p)->input.turn;
+    tap(&p, "Turn it");
+    assert_true(state_of(&p)->input.turn > turn + WF_R(0.2));
+    /* the testing body follows the finger, and the view doesn't; nobody "has left" while it is elsewhere */
+    double x = play_fact(&p, "view", 0);
+    play_run(&p, "finger 1\nsteps 1\nmove 300 900\ndown left\nframe\nmove 400 900\nframe\nmove 500 900\nframe\n");
+    assert_near(play_fact(&p, "view", 0), x, 0);
+    play_end(&p);
+}
+
+/* In a low window the hint is the last line, and not over the bodies. */
+TEST(the_hint_lies_on_no_body)
+{
+    static const struct { int width, height; float scale; int finger; bool low; } of[] = { { 1688, 660, 2, 1, true }, { 780, 1500, 2, 1, false }, { 1100, 380, 1, 0, true } };
+    for (int i = 0; i < 3; i++) {
+        play p = play_open(of[i].width, of[i].height, of[i].scale);
+        int box[4];
+        play_run(&p, of[i].finger ? "finger 1\nsteps 1\nwait 30\n" : "steps 1\nwait 30\n");
+        const camera *c = &state_of(&p)->camera;
+        assert_int_equal(state_of(&p)->hint, 1);
+        const int world[4] = { (int)c->left, (int)c->top, (int)(c->left + c->wide), (int)(c->top + c->high) };
+        const int foot[4] = { (int)c->left, of[i].height - (int)(26 * state_of(&p)->scale), of[i].width, of[i].height };
+        int over = ink_box(&p, wfLightPalette.mark[WF_INK_ACCENT], world, box), below = ink_box(&p, wfLightPalette.mark[WF_INK_ACCENT], foot, box);
+        assert_true(of[i].low ? over == 0 && below > 50 : over > 50 && below == 0);
+        play_end(&p);
+    }
+}
+
+/* Long words of the last line have two. */
+TEST(what_a_tool_says_is_whole)
+{
+    play p;
+    begin(&p, 780, 1500, 2, 1, "stack-of-boxes");
+    tap(&p, "Tools");
+    tap(&p, "Connect");
+    play_run(&p, "finger 1\nsteps 0\nframe\nframe\n");
+    assert_true(is_written(&p, "Connect: press on one body") && is_written(&p, "on the ground"));
+    assert_false(is_written(&p, "Connect: press on one body, let go on ..."));
+    play_end(&p);
+}
