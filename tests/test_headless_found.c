@@ -169,7 +169,7 @@ TEST(what_was_built_comes_back)
     press(&p, 700, 250, 720, 260);
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 2);
     char was[40];
-    snprintf(was, sizeof was, "%.40s", play_line(&p, "hash"));
+    snprintf(was, sizeof was, "%.39s", play_line(&p, "hash"));
     play_run(&p, "steps 0\nkey r\nframe\nframe\n");
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
     key(&p, GAME_KEY_UNDO);
