@@ -47,7 +47,8 @@ static wfLine line_of(const wfJointRow *r)
     return (wfLine){ r->jA, r->jB, r->wA, r->wB };
 }
 
-static inline void push_line(const wfLine *l, wfReal push, const wfJoint *j, const wfSolve *in,
+static WF_ONE_COPY void push_line(const wfLine *l, wfReal push, const wfJoint *j,
+                                  const wfSolve *in,
                       const wfReal *inverse, wfJointMotion *v)
 {
     wfJointMotion *a = &v[j->a], *b = &v[j->b];                        /* eq:joints-force */
@@ -391,7 +392,6 @@ static void number_machines(wfMatrix *m, const wfJointSet *set, const wfSolve *i
 /* The second half of the push of a row; what is not sound takes the first one back. */
 static wfReal half_of(const wfMatrix *m, int32_t i, int32_t k)
 {
-    if (!m->moved || m->lost) return 0;
     return m->rod[i] == ROD_SOUND ? m->smooth[i][k] : -m->impulse[i][k];
 }
 
@@ -404,7 +404,7 @@ static int32_t machine_of(const wfMatrix *m, const wfJointSet *set, const wfSolv
 }
 
 /* Twice the kinetic energy of body b with v and, as a scalar product, u. */
-static inline double motion_of(const wfSolve *in, const wfJointSet *set, int32_t b,
+static WF_ONE_COPY double motion_of(const wfSolve *in, const wfJointSet *set, int32_t b,
                                const wfJointMotion *v, const wfJointMotion *u)
 {
     double mass = (double)in->state[b].invMass, inertia = (double)set->inverse[b];
@@ -432,12 +432,12 @@ static void enter_motion(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
 static double stored_in(const wfMatrix *m, const wfJointSet *set, int32_t i,
                         const wfReal *e)
 {
-    double sum = 0, share = (double)(1 - wfGivingOf(set).keep) / ((double)m->h * (double)m->h);
+    double sum = 0, share = (double)(1 - wfGivingOf(set).keep);
     for (int32_t k = 0; k < set->work[i].holds; k++) {
         double give = (double)(set->give * set->work[i].own[set->work[i].hold[k]]);
         if (give > 0) sum += (double)e[k] * (double)e[k] / give;
     }
-    return share * sum;
+    return share * sum / ((double)m->h * (double)m->h);         /* eq:exact-account */
 }
 
 static void open_accounts(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
@@ -446,21 +446,30 @@ static void open_accounts(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
     enter_motion(m, set, in, m->free, 1);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
-        const wfBodyState *a = &in->state[set->joints[i].a], *b = &in->state[set->joints[i].b];
-        const wfBodyState *held = wfJointMoves(a) ? b : a;
-        bool driven = !wfJointMoves(held) && (wfLengthSq(held->v) > 0 || held->w * held->w > 0);
+        const wfJoint *j = &set->joints[i];
+        const wfBodyState *held = &in->state[wfJointMoves(&in->state[j->a]) ? j->b : j->a];
+        bool moved = wfLengthSq(held->v) > 0 || held->w * held->w > 0;
+        bool driven = moved && !wfJointMoves(held);
         double *rest = &m->rest[machine_of(m, set, in, i)];
         if (driven) *rest += WF_EXACT_DRIVEN;
         else if (!is_apart(set, i)) *rest += stored_in(m, set, i, m->part[i]);
     }
 }
 
-/* What m->moving would do to the velocities v, in the accounts. */
-static void weigh_push(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
-                       const wfJointMotion *v)
+/* What the pushes m->x would do to the velocities v, in the accounts. */
+static void weigh_pushes(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
+                         const wfJointMotion *v)
 {
-    for (int32_t n = 0; n < m->bodies; n++)
+    for (int32_t n = 0; n < m->bodies; n++) {
+        m->moving[m->body[n]] = (wfJointMotion){ .w = 0 };
         m->account[m->body[n]] = (wfAccount){ .slope = 0 };
+    }
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        for (int32_t k = 0; k < set->work[i].holds; k++)
+            push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, set->inverse,
+                      m->moving);
+    }
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
         wfAccount *of = &m->account[m->first[b]];
@@ -470,29 +479,16 @@ static void weigh_push(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
     }
 }
 
-/* The pushes x of the rows along their lines, in m->moving. */
-static void try_pushes(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
-                       wfReal (*x)[3], bool half)
-{
-    for (int32_t n = 0; n < m->bodies; n++)
-        m->moving[m->body[n]] = (wfJointMotion){ .w = 0 };
-    for (int32_t n = 0; n < m->ordered; n++) {
-        int32_t i = m->order[n];
-        for (int32_t k = 0; k < set->work[i].holds; k++)
-            push_line(&m->line[i][k], half ? half_of(m, i, k) : x[i][k], &set->joints[i], in,
-                      set->inverse, m->moving);
-    }
-}
-
-/* The shares of eq:exact-share-of-half, in m->bend; the springs get no more than there is. */
+/* The shares of eq:exact-share-of-half, in m->bend; springs get no more than there is. */
 static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
 {
-    try_pushes(m, set, in, NULL, true);
-    weigh_push(m, set, in, m->left);
+    for (int32_t n = 0; n < m->ordered; n++)
+        for (int k = 0; k < 3; k++) m->x[m->order[n]][k] = half_of(m, m->order[n], k);
+    weigh_pushes(m, set, in, m->left);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
-        m->account[machine_of(m, set, in, i)].stored +=
-            stored_in(m, set, i, set->joints[i].elastic);
+        const wfReal *e = set->joints[i].elastic;
+        m->account[machine_of(m, set, in, i)].stored += stored_in(m, set, i, e);
     }
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
@@ -506,7 +502,8 @@ static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
         if (!(rest > 0)) rest = 0;
         m->bend[b] = 1;
         if (of->slope + of->push > rest + bear) {
-            wfReal u = (wfReal)(of->slope / (2 * of->push)), left = (wfReal)(rest / of->push);
+            wfReal u = (wfReal)(of->slope / (2 * of->push));
+            wfReal left = (wfReal)(rest / of->push);
             wfReal root = wfSqrt(u * u + left);
             m->bend[b] = wfClamp(u > 0 ? left / (u + root) : root - u, 0, 1);
         }
@@ -520,13 +517,11 @@ static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
     }
 }
 
-/* The share of x that a machine takes, in m->bend: a projection takes q of eq:exact-share-of-half.
-   If rounding has spoilt it, what takes most. */
+/* The share of a projection x that a machine takes, in m->bend: 1, or what takes most. */
 static void temper(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
                    const wfJointMotion *v)
 {
-    try_pushes(m, set, in, m->x, false);
-    weigh_push(m, set, in, v);
+    weigh_pushes(m, set, in, v);
     for (int32_t n = 0; n < m->bodies; n++) {
         const wfAccount *of = &m->account[m->body[n]];
         bool good = !(of->slope + of->push > 8 * (double)WF_EPSILON * of->motion);
@@ -575,7 +570,7 @@ static void arrive(wfMatrix *m, wfJointSet *set, const wfSolve *in, wfReal share
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
-            wfReal push = half_of(m, i, k) * (both ? m->bend[machine_of(m, set, in, i)] : 1);
+            wfReal push = both ? m->bend[machine_of(m, set, in, i)] * m->x[i][k] : 0;
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->free);
             push_line(&m->line[i][k], push, &set->joints[i], in, set->inverse, m->next);
             m->before[i][k] = push;

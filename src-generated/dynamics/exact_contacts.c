@@ -887,15 +887,16 @@ static void solve_in_turns(Exact *e, const wfConstraints *laws, bool soft)
 static void solve(Exact *e, bool soft)
 {
     const wfConstraints *laws = e->s.in->laws;
-    int32_t before = laws != NULL && laws->unsolved != NULL ? *laws->unsolved : 0;
+    const int32_t *unsolved = laws != NULL ? laws->unsolved : NULL;
+    int32_t before = unsolved != NULL ? *unsolved : 0;
     e->again = false;
     if (laws == NULL) solve_contacts(e, soft);
     else solve_in_turns(e, laws, soft);
-    if (laws != NULL && laws->unsolved != NULL && *laws->unsolved > before) e->astray = true;
+    if (unsolved != NULL && *unsolved > before) e->astray = true;
     e->solutions--;
 }
 
-/* What contacts and joints have not agreed upon is no first guess: it throws back a blow. */
+/* What contacts and joints have not agreed upon is no guess: it throws back a blow. */
 static void forget_quarrels(Exact *e)
 {
     for (int32_t i = 0; e->astray && i < e->s.in->contactCount; i++)

@@ -233,51 +233,42 @@ size_t wfExactScratch(int32_t bodies, int32_t joints)
 
 static bool take_bodies(wfMatrix *m, int32_t bodies, wfPool *pool)
 {
-    m->free = wfPoolPushArray(pool, bodies, wfJointMotion);
-    m->left = wfPoolPushArray(pool, bodies, wfJointMotion);
-    m->next = wfPoolPushArray(pool, bodies, wfJointMotion);
-    m->moving = wfPoolPushArray(pool, bodies, wfJointMotion);
+    wfJointMotion *motions = wfPoolPushArray(pool, 5 * bodies, wfJointMotion);
+    wfReal *numbers = wfPoolPushArray(pool, 2 * bodies, wfReal);
+    int32_t *places = wfPoolPushArray(pool, 2 * bodies, int32_t);
     m->way = wfPoolPushArray(pool, bodies, wfWay);
     m->account = (wfAccount *)(void *)m->way;
     m->rest = wfPoolPushArray(pool, bodies, double);
-    m->began = wfPoolPushArray(pool, bodies, wfJointMotion);
-    m->inverse = wfPoolPushArray(pool, bodies, wfReal);
-    m->bend = wfPoolPushArray(pool, bodies, wfReal);
-    m->body = wfPoolPushArray(pool, bodies, int32_t);
-    m->first = wfPoolPushArray(pool, bodies, int32_t);
-    for (int32_t b = 0; m->first != NULL && b < bodies; b++) m->first[b] = -1;
-    return m->free != NULL && m->left != NULL && m->next != NULL && m->way != NULL
-        && m->moving != NULL && m->rest != NULL && m->began != NULL
-        && m->inverse != NULL && m->bend != NULL && m->body != NULL && m->first != NULL;
+    if (motions == NULL || numbers == NULL || places == NULL) return false;
+    m->free = motions, m->left = m->free + bodies, m->next = m->left + bodies;
+    m->moving = m->next + bodies, m->began = m->moving + bodies;
+    m->inverse = numbers, m->bend = m->inverse + bodies;
+    m->body = places, m->first = m->body + bodies;
+    for (int32_t b = 0; b < bodies; b++) m->first[b] = -1;
+    return m->way != NULL && m->rest != NULL;
 }
 
 static bool take_joints(wfMatrix *m, int32_t count, wfPool *pool)
 {
-    m->head = wfPoolPushArray(pool, count, int32_t);
-    m->rank = wfPoolPushArray(pool, count, int32_t);
-    m->order = wfPoolPushArray(pool, count, int32_t);
-    m->list = wfPoolPushArray(pool, count, int32_t);
-    m->rows = wfPoolPushArray(pool, count, int32_t);
-    m->rod = wfPoolPushArray(pool, count, uint8_t);
-    if (m->rod != NULL) memset(m->rod, ROD_SOUND, (size_t)count);
-    m->after = wfPoolPushArray(pool, 2 * count, int32_t);
-    m->own = wfPoolPushArray(pool, count, wfBlock3);
+    int32_t *places = wfPoolPushArray(pool, 7 * count, int32_t);
     wfReal *numbers = wfPoolPushArray(pool, 27 * count, wfReal);
     wfLine *lines = wfPoolPushArray(pool, 3 * count, wfLine);
-    if (numbers == NULL || lines == NULL) return false;
+    m->rod = wfPoolPushArray(pool, count, uint8_t);
+    m->own = wfPoolPushArray(pool, count, wfBlock3);
+    if (places == NULL || numbers == NULL || lines == NULL || m->rod == NULL) return false;
+    memset(m->rod, ROD_SOUND, (size_t)count);
     memset(lines, 0, 3 * (size_t)count * sizeof *lines);
     memset(numbers, 0, 27 * (size_t)count * sizeof *numbers);
+    m->head = places, m->rank = m->head + count, m->order = m->rank + count;
+    m->list = m->order + count, m->rows = m->list + count, m->after = m->rows + count;
     m->line = (wfLine(*)[3])lines;
     m->pivot = (wfReal(*)[3])numbers;
     m->x = m->pivot + count, m->impulse = m->x + count;
     m->before = m->impulse + count, m->size = m->before + count;
     m->smooth = m->size + count, m->part = m->smooth + count;
     m->shift = m->part + count, m->entry = m->shift + count;
-    for (int32_t i = 0; m->head != NULL && m->rank != NULL && i < count; i++)
-        m->head[i] = m->rank[i] = -1;
-    return m->head != NULL && m->rank != NULL && m->order != NULL && m->list != NULL
-        && m->after != NULL && m->own != NULL && m->rows != NULL
-        && m->rod != NULL;
+    for (int32_t i = 0; i < count; i++) m->head[i] = m->rank[i] = -1;
+    return m->own != NULL;
 }
 
 wfMatrix *wfTakeMatrix(int32_t count, int32_t bodies, wfPool *pool)
