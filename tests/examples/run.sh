@@ -19,7 +19,10 @@ make --no-print-directory -s -j2 -f tangle/compile.mk SRC=build/lines OUT=build 
 cc $flags -Ibuild/lines/include "$here/collision_only.c" build/lib/libweft-collision.a -lm -o "$work/collision_only" || exit 1
 expect collision_only.c "$work/collision_only"
 
-# a world in one file, of the engine's rows, against the engine's own
+# a world in one file, of the engine's rows, against the engine's own; first as it grows, a stage in a chapter
+for n in 1 2 3; do
+  cc $flags -DSTAGES=$n -Ibuild/lines/include "$here/small_world.c" build/lib/libweft.a -lm -o "$work/small_world" && "$work/small_world" > /dev/null || fail "small_world.c with $n stages is not the engine's world"
+done
 cc $flags -Ibuild/lines/include "$here/small_world.c" build/lib/libweft.a -lm -o "$work/small_world" || exit 1
 expect small_world.c "$work/small_world"
 
