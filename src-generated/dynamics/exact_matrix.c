@@ -225,7 +225,7 @@ size_t wfExactScratch(int32_t bodies, int32_t joints)
     size_t each = 7 * sizeof(int32_t) + 1 + sizeof(wfBlock3) + 27 * sizeof(wfReal)
                 + 3 * sizeof(wfLine);
     size_t pairs = 2 * sizeof(wfEdge) + 2 * sizeof(wfBlock3);
-    size_t body = 5 * sizeof(wfJointMotion) + sizeof(wfWay) + sizeof(double)
+    size_t body = 5 * sizeof(wfJointMotion) + sizeof(wfWayRoom) + sizeof(double)
                 + 2 * sizeof(wfReal) + 4 * sizeof(int32_t);
     return sizeof(wfMatrix) + n * each + room * pairs + (size_t)bodies * body
          + 32 * WF_POOL_ALIGN;
@@ -236,8 +236,8 @@ static bool take_bodies(wfMatrix *m, int32_t bodies, wfPool *pool)
     wfJointMotion *motions = wfPoolPushArray(pool, 5 * bodies, wfJointMotion);
     wfReal *numbers = wfPoolPushArray(pool, 2 * bodies, wfReal);
     int32_t *places = wfPoolPushArray(pool, 2 * bodies, int32_t);
-    m->way = wfPoolPushArray(pool, bodies, wfWay);
-    m->account = (wfAccount *)(void *)m->way;
+    wfWayRoom *room = wfPoolPushArray(pool, bodies, wfWayRoom);
+    m->way = (wfWay *)room, m->account = (wfAccount *)room;
     m->rest = wfPoolPushArray(pool, bodies, double);
     if (motions == NULL || numbers == NULL || places == NULL) return false;
     m->free = motions, m->left = m->free + bodies, m->next = m->left + bodies;

@@ -16,6 +16,7 @@ typedef struct wfWay {
 } wfWay;
 /* What a push does to a machine, at the least of its bodies, J: eq:exact-share-of-half. */
 typedef struct wfAccount { double slope, push, stored, motion; } wfAccount;
+typedef union wfWayRoom { wfWay way; wfAccount account; } wfWayRoom;
 
 /* the matrix of all joints */
 typedef struct wfEdge { int32_t to, block, next; } wfEdge;
