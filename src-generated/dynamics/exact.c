@@ -440,19 +440,33 @@ static double stored_in(const wfMatrix *m, const wfJointSet *set, int32_t i,
     return share * sum / ((double)m->h * (double)m->h);         /* eq:exact-account */
 }
 
-static void open_accounts(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
+/* Begins all accounts; who hangs on a body that is moved, by anything but joints, has no
+   end of it. */
+static void note_driven(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
 {
     for (int32_t n = 0; n < m->bodies; n++) m->rest[m->body[n]] = 0;
+    for (int32_t n = 0; n < m->ordered; n++) {
+        const wfJoint *j = &set->joints[m->order[n]];
+        const wfBodyState *held = &in->state[wfJointMoves(&in->state[j->a]) ? j->b : j->a];
+        bool moved = wfLengthSq(held->v) > 0 || held->w * held->w > 0;
+        if (moved && !wfJointMoves(held))
+            m->rest[machine_of(m, set, in, m->order[n])] = WF_EXACT_DRIVEN;
+    }
+}
+
+static bool is_driven(const wfMatrix *m, int32_t b)
+{
+    return m->rest[b] > WF_EXACT_DRIVEN / 2;
+}
+
+static void open_accounts(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
+{
+    note_driven(m, set, in);
     enter_motion(m, set, in, m->free, 1);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
-        const wfJoint *j = &set->joints[i];
-        const wfBodyState *held = &in->state[wfJointMoves(&in->state[j->a]) ? j->b : j->a];
-        bool moved = wfLengthSq(held->v) > 0 || held->w * held->w > 0;
-        bool driven = moved && !wfJointMoves(held);
         double *rest = &m->rest[machine_of(m, set, in, i)];
-        if (driven) *rest += WF_EXACT_DRIVEN;
-        else if (!is_apart(set, i)) *rest += stored_in(m, set, i, m->part[i]);
+        if (!is_apart(set, i)) *rest += stored_in(m, set, i, m->part[i]);
     }
 }
 
@@ -524,7 +538,8 @@ static void temper(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
     weigh_pushes(m, set, in, v);
     for (int32_t n = 0; n < m->bodies; n++) {
         const wfAccount *of = &m->account[m->body[n]];
-        bool good = !(of->slope + of->push > 8 * (double)WF_EPSILON * of->motion);
+        bool good = !(of->slope + of->push > 8 * (double)WF_EPSILON * of->motion)
+                 || is_driven(m, m->body[n]);
         m->bend[m->body[n]] = good ? 1 : (wfReal)(-of->slope / (2 * of->push));
         m->bend[m->body[n]] = wfClamp(m->bend[m->body[n]], 0, 1);
     }
@@ -748,7 +763,11 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     (void)moved;
     m->begun = true;
     m->h = dt;
-    if (first) begin_with_old(m, set), number_machines(m, set, in);
+    if (first) {
+        begin_with_old(m, set);
+        number_machines(m, set, in);
+        note_driven(m, set, in);
+    }
     stop_moving(m, in);
     arrive(m, set, in, first ? 0 : last ? 1 : WF_R(0.5));
     make_tangent(m, set, in, last);
