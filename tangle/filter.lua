@@ -673,7 +673,7 @@ local dot = html and " \u{b7} " or "\\enspace\\textperiodcentered\\enspace "
 local function pieces_of(text, names, file)
   local out, of = {}, {}
   for piece in (text .. "\n\n"):gmatch("(.-)\n\n+") do
-    local name = piece:match("[\n ]([%w_]+)%b()%s*\n{") or piece:match("}%s*([%w_]+);%s*$")
+    local name = piece:match("[\n *]([%w_]+)%b()%s*\n{") or piece:match("}%s*([%w_]+);%s*$")
     if name then of[name] = piece end
   end
   for name in names:gmatch("[%w_]+") do

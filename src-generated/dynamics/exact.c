@@ -508,7 +508,7 @@ static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
         int32_t b = m->body[n];
         wfAccount *of = &m->account[b];
         if (m->first[b] != b) continue;
-        double bear = of->push / 1000 + 8 * (double)WF_EPSILON * of->motion, spring = 1;
+        double bear = of->push / 1000 + WF_EXACT_BORNE * of->motion, spring = 1;
         double rest = m->rest[b] > 0 ? m->rest[b] : 0;
         if (of->stored > m->rest[b] + bear)
             spring = (double)wfSqrt((wfReal)(rest / of->stored));
@@ -538,7 +538,7 @@ static void temper(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
     weigh_pushes(m, set, in, v);
     for (int32_t n = 0; n < m->bodies; n++) {
         const wfAccount *of = &m->account[m->body[n]];
-        bool good = !(of->slope + of->push > 8 * (double)WF_EPSILON * of->motion)
+        bool good = !(of->slope + of->push > WF_EXACT_BORNE * of->motion)
                  || is_driven(m, m->body[n]);
         m->bend[m->body[n]] = good ? 1 : (wfReal)(-of->slope / (2 * of->push));
         m->bend[m->body[n]] = wfClamp(m->bend[m->body[n]], 0, 1);

@@ -46,7 +46,8 @@ bool game_was_changed(const game_state *s)
 int32_t game_keep_for_undo(game *g, int row)
 {
     game_state *s = g->state;
-    if (s->challenge || game_scene_at(g, row)->alias) return 0; /* each try is new */
+    bool tried = game_scene_at(g, row)->alias || (s->opened && g->scene->alias);
+    if (tried) return 0;                /* each try is new */
     s->undo_count = s->undo_at;
     if (s->opened && game_was_changed(s)) game_keep_world(g);
     return s->undo_count;

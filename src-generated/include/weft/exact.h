@@ -13,6 +13,7 @@ WF_BEGIN_C
 #define WF_EXACT_ROUNDS 20      /* rounds of Newton's method in a substep, at most */
 #define WF_EXACT_ROUNDING (2 * WF_EPSILON)  /* gaps that are done, as a share of arms */
 #define WF_EXACT_TAUT WF_R(0.03)    /* share by which I' may differ in the first round */
+#define WF_EXACT_BORNE (1.0 / 1048576)  /* share of the motion that is no gain */
 #define WF_EXACT_PAID 0.999         /* share of the motion that must have been there */
 #define WF_EXACT_DRIVEN 1e30       /* J: account of a machine on a body that is moved */
 #define WF_EXACT_LOST WF_R(1e-3)    /* gaps beyond it: the substep was not solved */
