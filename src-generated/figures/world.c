@@ -18,7 +18,7 @@ static void figure_world_block(wfDraw *d, const wfFigureInput *in)
     for (int i = 0; i < WF_REGION_COUNT; i++) {
         const wfRegion *r = &region[i];
         /* draw one array of the block */
-        float x = 0.2f + 5.6f * (float)r->chunk, bytes = (float)(r->count * r->each);
+        float x = 0.2f + 5.35f * (float)r->chunk, bytes = (float)(r->count * r->each);
         float top = 5.5f - scale * (float)r->offset, bottom = top - scale * bytes;
         float middle = (top + bottom) / 2 - 0.06f, limit = label[r->chunk] - 0.27f;
         figRect(d, x, bottom, x + 1, top, 1, WF_INK_LINE,
@@ -31,7 +31,7 @@ static void figure_world_block(wfDraw *d, const wfFigureInput *in)
                     r->name, r->count, r->each);
     }
     for (int k = 0; k < 2; k++)
-        wfDrawTextf(d, 0.2f + 5.6f * (float)k, 5.8f, 13, WF_INK_TEXT, -1, "%s, %zu kB",
+        wfDrawTextf(d, 0.2f + 5.35f * (float)k, 5.8f, 13, WF_INK_TEXT, -1, "%s, %zu kB",
                     k == 0 ? "permanent" : "transient", (size[k] + 512) / 1024);
 }
 static void figure_world_three(wfDraw *d, const wfFigureInput *in)
