@@ -74,7 +74,7 @@ local function own_names(text)
       or line:match("^#define ([%a_][%w_]*)")
     if name then names[name] = true end
     local list = line:match("^enum {(.-)}")
-    for constant in (list or ""):gmatch("([%a_][%w_]*)") do names[constant] = true end
+    for constant in ("," .. (list or "")):gmatch(",%s*([%a_][%w_]*)") do names[constant] = true end
   end
   return names
 end

@@ -19,6 +19,12 @@ static void key(play *p, int32_t k)
     game_describe(&p->memory, p->text, sizeof p->text);
 }
 
+static void press_button(play *p, const char *name)
+{
+    play_click(p, name);
+    play_run(p, "steps 0\nframe\nframe\n");
+}
+
 static void press(play *p, double x, double y, double to_x, double to_y)
 {
     char script[200];
@@ -54,14 +60,12 @@ TEST(a_tool_goes_with_its_row)
 {
     play p;
     begin(&p, 780, 1500, 2, "steps 0\nscene pyramid\nframe\nframe\n");
-    play_click(&p, "Tools");
-    play_run(&p, "steps 0\nframe\nframe\n");
+    press_button(&p, "Tools");
     play_click(&p, "Delete");
     assert_true(play_says(&p, "tool Delete"));
     play_run(&p, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
     assert_true(play_says(&p, "tool Delete"));              /* its row is there, and it is lit */
-    play_click(&p, "Tools");
-    play_run(&p, "steps 0\nframe\nframe\n");
+    press_button(&p, "Tools");
     assert_true(play_says(&p, "tool Hand"));
     key(&p, 'x');                                           /* a key brings the row */
     play_run(&p, "steps 0\nframe\nframe\n");

@@ -48,8 +48,8 @@ static wfLine line_of(const wfJointRow *r)
 }
 
 static WF_ONE_COPY void push_line(const wfLine *l, wfReal push, const wfJoint *j,
-                                  const wfSolve *in,
-                      const wfReal *inverse, wfJointMotion *v)
+                                  const wfSolve *in, const wfReal *inverse,
+                                  wfJointMotion *v)
 {
     wfJointMotion *a = &v[j->a], *b = &v[j->b];                        /* eq:joints-force */
     a->v = wfAddScaled(a->v, push * in->state[j->a].invMass, l->jA);
@@ -421,7 +421,7 @@ static int32_t machine_of(const wfMatrix *m, const wfJointSet *set, const wfSolv
 
 /* Twice the kinetic energy of body b with v and, as a scalar product, u. */
 static WF_ONE_COPY double motion_of(const wfSolve *in, const wfJointSet *set, int32_t b,
-                               const wfJointMotion *v, const wfJointMotion *u)
+                                    const wfJointMotion *v, const wfJointMotion *u)
 {
     double mass = (double)in->state[b].invMass, inertia = (double)set->inverse[b];
     double line = (double)v->v.x * (double)u->v.x + (double)v->v.y * (double)u->v.y;

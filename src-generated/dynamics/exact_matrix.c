@@ -218,57 +218,39 @@ void wfSolveMatrix(wfMatrix *m)
     }
 }
 
-/* make room for the matrix */
+/* The arrays of a matrix: where their pointers are, bytes for each, what they begin as. */
+enum { JOINTS, BODIES, PAIRS };
+enum { ZEROS = 0, MINUS_ONE = 0xFF, ANYTHING = 0x7F };
+#define ARRAY(name, of, begin) SEVERAL(name, 1, of, begin)
+#define SEVERAL(name, n, of, begin) \
+    { offsetof(wfMatrix, name), (n) * sizeof *((wfMatrix *)0)->name, of, begin }
+static const struct { uint16_t place, bytes; uint8_t of, begin; } arrays[] = {
+    ARRAY(head, JOINTS, MINUS_ONE), ARRAY(rank, JOINTS, MINUS_ONE),
+    ARRAY(order, JOINTS, ANYTHING), ARRAY(list, JOINTS, ANYTHING),
+    ARRAY(rows, JOINTS, ANYTHING), SEVERAL(after, 2, JOINTS, ANYTHING),
+    ARRAY(rod, JOINTS, ZEROS), ARRAY(own, JOINTS, ANYTHING),
+    ARRAY(line, JOINTS, ZEROS), ARRAY(pivot, JOINTS, ZEROS), ARRAY(x, JOINTS, ZEROS),
+    ARRAY(impulse, JOINTS, ZEROS), ARRAY(smooth, JOINTS, ZEROS),
+    ARRAY(entry, JOINTS, ZEROS), ARRAY(before, JOINTS, ZEROS), ARRAY(size, JOINTS, ZEROS),
+    ARRAY(part, JOINTS, ZEROS), ARRAY(shift, JOINTS, ZEROS),
+    ARRAY(first, BODIES, MINUS_ONE), ARRAY(body, BODIES, ANYTHING),
+    ARRAY(inverse, BODIES, ANYTHING), ARRAY(bend, BODIES, ANYTHING),
+    ARRAY(free, BODIES, ANYTHING), ARRAY(left, BODIES, ANYTHING),
+    ARRAY(next, BODIES, ANYTHING), ARRAY(moving, BODIES, ANYTHING),
+    ARRAY(began, BODIES, ANYTHING), ARRAY(rest, BODIES, ANYTHING),
+    { offsetof(wfMatrix, way), sizeof(wfWayRoom), BODIES, ANYTHING },
+    SEVERAL(edge, 2, PAIRS, ANYTHING), ARRAY(value, PAIRS, ANYTHING),
+    ARRAY(ratio, PAIRS, ANYTHING),
+};
+enum { ARRAYS = sizeof arrays / sizeof *arrays };
+
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
-    size_t n = (size_t)joints, room = n * WF_EXACT_BLOCKS;
-    size_t each = 7 * sizeof(int32_t) + 1 + sizeof(wfBlock3) + 27 * sizeof(wfReal)
-                + 3 * sizeof(wfLine);
-    size_t pairs = 2 * sizeof(wfEdge) + 2 * sizeof(wfBlock3);
-    size_t body = 5 * sizeof(wfJointMotion) + sizeof(wfWayRoom) + sizeof(double)
-                + 2 * sizeof(wfReal) + 4 * sizeof(int32_t);
-    return sizeof(wfMatrix) + n * each + room * pairs + (size_t)bodies * body
-         + 32 * WF_POOL_ALIGN;
-}
-
-static bool take_bodies(wfMatrix *m, int32_t bodies, wfPool *pool)
-{
-    wfJointMotion *motions = wfPoolPushArray(pool, 5 * bodies, wfJointMotion);
-    wfReal *numbers = wfPoolPushArray(pool, 2 * bodies, wfReal);
-    int32_t *places = wfPoolPushArray(pool, 2 * bodies, int32_t);
-    wfWayRoom *room = wfPoolPushArray(pool, bodies, wfWayRoom);
-    m->way = (wfWay *)room, m->account = (wfAccount *)room;
-    m->rest = wfPoolPushArray(pool, bodies, double);
-    if (motions == NULL || numbers == NULL || places == NULL) return false;
-    m->free = motions, m->left = m->free + bodies, m->next = m->left + bodies;
-    m->moving = m->next + bodies, m->began = m->moving + bodies;
-    m->inverse = numbers, m->bend = m->inverse + bodies;
-    m->body = places, m->first = m->body + bodies;
-    for (int32_t b = 0; b < bodies; b++) m->first[b] = -1;
-    return m->way != NULL && m->rest != NULL;
-}
-
-static bool take_joints(wfMatrix *m, int32_t count, wfPool *pool)
-{
-    int32_t *places = wfPoolPushArray(pool, 7 * count, int32_t);
-    wfReal *numbers = wfPoolPushArray(pool, 27 * count, wfReal);
-    wfLine *lines = wfPoolPushArray(pool, 3 * count, wfLine);
-    m->rod = wfPoolPushArray(pool, count, uint8_t);
-    m->own = wfPoolPushArray(pool, count, wfBlock3);
-    if (places == NULL || numbers == NULL || lines == NULL || m->rod == NULL) return false;
-    memset(m->rod, ROD_SOUND, (size_t)count);
-    memset(lines, 0, 3 * (size_t)count * sizeof *lines);
-    memset(numbers, 0, 27 * (size_t)count * sizeof *numbers);
-    m->head = places, m->rank = m->head + count, m->order = m->rank + count;
-    m->list = m->order + count, m->rows = m->list + count, m->after = m->rows + count;
-    m->line = (wfLine(*)[3])lines;
-    m->pivot = (wfReal(*)[3])numbers;
-    m->x = m->pivot + count, m->impulse = m->x + count;
-    m->before = m->impulse + count, m->size = m->before + count;
-    m->smooth = m->size + count, m->part = m->smooth + count;
-    m->shift = m->part + count, m->entry = m->shift + count;
-    for (int32_t i = 0; i < count; i++) m->head[i] = m->rank[i] = -1;
-    return m->own != NULL;
+    size_t many[] = { (size_t)joints, (size_t)bodies, (size_t)joints * WF_EXACT_BLOCKS };
+    size_t sum = sizeof(wfMatrix);
+    for (size_t k = 0; k < ARRAYS; k++)
+        sum += arrays[k].bytes * many[arrays[k].of] + WF_POOL_ALIGN;
+    return sum;
 }
 
 wfMatrix *wfTakeMatrix(int32_t count, int32_t bodies, wfPool *pool)
@@ -276,12 +258,17 @@ wfMatrix *wfTakeMatrix(int32_t count, int32_t bodies, wfPool *pool)
     wfMatrix *m = wfPoolPushArray(pool, 1, wfMatrix);
     if (m == NULL) return NULL;
     *m = (wfMatrix){ .count = count, .room = count * WF_EXACT_BLOCKS,
-                   .hinge = wfFindJoint("revolute") };
-    m->edge = wfPoolPushArray(pool, 2 * m->room, wfEdge);
-    m->value = wfPoolPushArray(pool, m->room, wfBlock3);
-    m->ratio = wfPoolPushArray(pool, m->room, wfBlock3);
-    if (m->edge == NULL || m->value == NULL || m->ratio == NULL) return NULL;
-    return take_joints(m, count, pool) && take_bodies(m, bodies, pool) ? m : NULL;
+                     .hinge = wfFindJoint("revolute") };
+    size_t many[] = { (size_t)count, (size_t)bodies, (size_t)m->room };
+    for (size_t k = 0; k < ARRAYS; k++) {
+        size_t n = many[arrays[k].of];
+        void *room = wfPoolPushMany(pool, n, arrays[k].bytes, WF_POOL_ALIGN);
+        if (room == NULL) return NULL;
+        if (arrays[k].begin != ANYTHING) memset(room, arrays[k].begin, n * arrays[k].bytes);
+        memcpy((char *)m + arrays[k].place, &room, sizeof room);
+    }
+    m->account = (wfAccount *)m->way;
+    return m;
 }
 
 /* count what a factorisation takes */
