@@ -184,6 +184,32 @@ TEST(one_contact_with_everything_by_hand)
     assert_ulps(c.rollingImpulse, 0.15, 8, 1);
 }
 
+TEST(bad_numbers_of_friction_are_refused)
+{
+    /* by every row and every function, and nothing has changed; staticFriction 0 is allowed, as is what is below 0 of a speed or an impulse */
+    for (int field = 0; field < 5; field++)
+        for (int b = 0; b <= BAD_REAL_COUNT; b++) {
+            wfBodyState s[2] = { body(0, 0, 0, 0, 0, 0, 0), body(0, 1, 10, -1, 0, 1, 0.5) }, before[2];
+            wfContact c = touch(0, 1, wfV2(0, 1), wfV2(0, 0), 0.5, 0.2);
+            wfReal *place[] = { &c.friction, &c.staticFriction, &c.rollingResistance, &c.tangentSpeed, &c.rollingImpulse };
+            wfPool pool;
+            wfSolve in = problem(s, 2, &c, 1, &pool);
+            in.substeps = 1;
+            assert_ok(wfCheckSolve(&in));
+            *place[field] = b < BAD_REAL_COUNT ? BAD_REALS[b] : WF_R(-0.1);
+            wfResult want = b < BAD_REAL_COUNT ? WF_ERROR_NOT_FINITE : field < 3 ? WF_ERROR_RANGE : WF_OK;
+            assert_result(want, wfCheckSolve(&in));
+            if (want == WF_OK) continue;
+            memcpy(before, s, sizeof before);
+            for (int row = 0; row < wfSolverCount; row++) {
+                assert_result(want, wfSolveVelocities(row, &in));
+                assert_result(want, wfSolvePositions(row, &in));
+                assert_result(want, wfSolveStep(row, &in));
+            }
+            assert_memory_equal(before, s, sizeof before);
+        }
+}
+
 /* ------------------------------------------------------------------------------ the schoolbook */
 
 typedef struct Bench { wfShape ground, thing; wfBodyState s[2]; wfVec2 g; wfReal h, mu, rollingResistance, belt; int32_t first; } Bench;

@@ -586,10 +586,10 @@ TEST(bad_numbers_are_refused)
             Case k;
             good_case(&k);
             wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionCorrection, &k.c.slop, &k.c.restitution,
-                &k.c.friction, &k.c.manifold.normal.x, &k.c.manifold.normal.y, &k.c.manifold.points[0].point.x,
+                &k.c.manifold.normal.x, &k.c.manifold.normal.y, &k.c.manifold.points[0].point.x,
                 &k.c.manifold.points[1].point.y, &k.c.manifold.points[0].depth, &k.c.manifold.points[1].depth,
                 &k.s[1].p.x, &k.s[1].p.y, &k.s[0].angle, &k.s[1].v.x, &k.s[0].v.y, &k.s[1].w, &k.s[1].invMass,
-                &k.s[1].invInertia, &k.c.rollingResistance, &k.c.tangentSpeed, &k.c.rollingImpulse, &k.c.manifold.points[0].rA.x,
+                &k.s[1].invInertia, &k.c.manifold.points[0].rA.x,
                 &k.c.manifold.points[1].rB.y, &k.c.manifold.points[0].normalImpulse, &k.c.manifold.points[1].tangentImpulse, &k.f[0].force.x, &k.f[1].force.y, &k.f[1].torque,
                 &k.in.contactPeriod, &k.in.contactDampingRatio, &k.in.recoverySpeed };
             if (field == (int)(sizeof place / sizeof *place)) break;
@@ -602,12 +602,12 @@ TEST(numbers_out_of_range_are_refused)
 {
     for (int field = 0; ; field++) {
         static const struct { int at; double value; } bad[] = { { 0, 0 }, { 0, -1 }, { 1, -0.1 }, { 2, -0.1 }, { 2, 1.1 },
-            { 3, -0.1 }, { 4, -0.1 }, { 4, 1.1 }, { 5, -0.1 }, { 6, -1 }, { 7, -1 }, { 8, -0.1 }, { 9, -1 }, { 10, -1 }, { 11, -1 } };
+            { 3, -0.1 }, { 4, -0.1 }, { 4, 1.1 }, { 5, -1 }, { 6, -1 }, { 7, -1 }, { 8, -1 }, { 9, -1 } };
         if (field == (int)(sizeof bad / sizeof *bad)) break;
         Case k;
         good_case(&k);
         wfReal *place[] = { &k.in.h, &k.in.restingSpeed, &k.in.positionCorrection, &k.c.slop, &k.c.restitution,
-            &k.c.friction, &k.s[1].invMass, &k.s[0].invInertia, &k.c.rollingResistance, &k.in.contactPeriod,
+            &k.s[1].invMass, &k.s[0].invInertia, &k.in.contactPeriod,
             &k.in.contactDampingRatio, &k.in.recoverySpeed };
         *place[bad[field].at] = (wfReal)bad[field].value;
         refused(&k, WF_ERROR_RANGE);

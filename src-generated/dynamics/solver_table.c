@@ -172,14 +172,16 @@ static wfResult check_numbers(const wfSolve *in)
 
 static wfResult check_materials(const wfContact *c)
 {
-    if (!wfIsFinite(c->restitution) || !wfIsFinite(c->friction)) return WF_ERROR_NOT_FINITE;
+    /* check how the surfaces bounce and rub */
+    if (!wfIsFinite(c->restitution) || !wfIsFinite(c->slop)) return WF_ERROR_NOT_FINITE;
+    if (c->restitution < 0 || c->restitution > 1 || c->slop < 0) return WF_ERROR_RANGE;
+    if (!wfIsFinite(c->friction) || !wfIsFinite(c->staticFriction)) return WF_ERROR_NOT_FINITE;
     if (!wfIsFinite(c->rollingResistance) || !wfIsFinite(c->tangentSpeed))
         return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(c->rollingImpulse) || !wfIsFinite(c->slop)) return WF_ERROR_NOT_FINITE;
-    if (!wfIsFinite(c->staticFriction)) return WF_ERROR_NOT_FINITE;
-    if (c->restitution < 0 || c->restitution > 1 || c->friction < 0) return WF_ERROR_RANGE;
-    bool out = c->rollingResistance < 0 || c->slop < 0 || c->staticFriction < 0;
-    return out ? WF_ERROR_RANGE : WF_OK;
+    if (!wfIsFinite(c->rollingImpulse)) return WF_ERROR_NOT_FINITE;
+    if (c->friction < 0 || c->staticFriction < 0) return WF_ERROR_RANGE;
+    if (c->rollingResistance < 0) return WF_ERROR_RANGE;
+    return WF_OK;
 }
 
 static wfResult check_contact(const wfContact *c, int32_t bodyCount)

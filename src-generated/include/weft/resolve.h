@@ -20,7 +20,7 @@ typedef struct wfContact {
     int32_t    sliding;         /* 1: did not hold last time */
     int32_t    settled;         /* 1: has held, by impulses that were solved (the same) */
     wfReal     restitution;     /* e of eq:impulses-newton, 0 to 1 */
-    wfReal     friction;        /* coefficient of friction >= 0; used by friction */
+    wfReal     friction;        /* coefficient of friction >= 0 */
     wfReal     staticFriction;  /* while nothing slides; below `friction`: the same */
     wfReal     rollingResistance; /* m, >= 0: length of rolling resistance */
     wfReal     tangentSpeed;    /* m/s: how fast b's surface runs over a's */
