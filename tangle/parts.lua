@@ -115,8 +115,8 @@ function M.closure(book, set)
 end
 
 local function is_root(name) return name:match("^[%w_%-%./]+%.%a+$") ~= nil and name:find("/") ~= nil end
--- The testbed, the lab, the figures and the bindings are made of all parts; what is left out is left out of the engine.
-local function is_program(name) return is_root(name) and (name:match("^testbed/") or name:match("^lab/") or name:match("^figures/") or name:match("^bindings/")) ~= nil end
+-- The testbed, the lab, the figures, the bindings and the small world are made of all parts; what is left out is left out of the engine.
+local function is_program(name) return is_root(name) and (name:match("^testbed/") or name:match("^lab/") or name:match("^figures/") or name:match("^bindings/") or name:match("^small/")) ~= nil end
 
 -- What a chunk is part of: its own marks, and what all its users have in common.
 function M.close(book)

@@ -743,13 +743,14 @@ do
     local chapter = book.chapters[c.chapter]
     local volume = volume_of[chapter.entry.page]
     if not c.web and not c.kept and not chapter.online and chapter.entry.volume and next(c.roots or {}) then
-      local headers, foreign = true, true
+      local headers, foreign, small = true, true, false
       for root in pairs(c.roots) do
         headers = headers and root:match("%.h$") ~= nil
         local program = root:match("^(%a+)/")
+        small = small or program == "small"
         foreign = foreign and (program == "figures" or (program == "lab" or program == "testbed") and volume ~= program)
       end
-      if foreign or in_core and not in_core[index] and volume == volumes[1].name then web_chunk(c.chapter, c.k)
+      if foreign or in_core and not in_core[index] and not small and volume == volumes[1].name then web_chunk(c.chapter, c.k)
       elseif headers and only_declares(c) then
         if shown[volume] then web_chunk(c.chapter, c.k) end
         shown[volume] = true
