@@ -669,26 +669,12 @@ local function file_list()
   return rawb(table.concat(t, "\n"))
 end
 local dot = html and " \u{b7} " or "\\enspace\\textperiodcentered\\enspace "
--- The pieces of C between empty lines that define these names, with the comments above them.
-local function pieces_of(text, names, file)
-  local out, of = {}, {}
-  for piece in (text .. "\n\n"):gmatch("(.-)\n\n+") do
-    local name = piece:match("[\n *]([%w_]+)%b()%s*\n{") or piece:match("}%s*([%w_]+);%s*$")
-    if name then of[name] = piece end
-  end
-  for name in names:gmatch("[%w_]+") do
-    if not of[name] then fail("%s: %s defines no %s -- show=\"...\" names functions and types that an empty line sets apart", mine.file, file, name) end
-    out[#out + 1] = of[name]
-  end
-  return table.concat(out, "\n\n")
-end
--- {.listing file="tests/examples/x.c"}: the file itself, under its name; with show="fall step" what these names are in it
+-- {.listing file="tests/examples/x.c"}: the file itself, under its name
 local code_block
 local function listing(el)
   local file = el.attributes.file or "?"
   local text = Code.read(root .. file)
   if not text then fail("%s: the file %s of a .listing is not there -- write {.listing file=\"tests/examples/NAME.c\"}", mine.file, file); return {} end
-  if el.attributes.show then text = pieces_of(text, el.attributes.show, file) end
   local kind = file:match("%.([%w]+)$")
   local classes = (kind == "c" or kind == "h" or kind == "cpp") and { "c" } or {}
   return { pandoc.Para { pandoc.Code(file), pandoc.Str ":" }, code_block(pandoc.CodeBlock(text:gsub("\n$", ""), pandoc.Attr("", classes))) }
