@@ -274,6 +274,7 @@ static void make_rows(const wfSubsteps *s, wfLimb *l)
     const wfPrepared *c = &s->c[l->contact];
     const wfPreparedPoint *p = c->p, *one = &c->p[l->points == 2];
     l->rows = 0;
+    memset(l->up, 0, sizeof l->up), memset(l->down, 0, sizeof l->down);
     if (l->points == 3) {                                       /* eq:soft-mean */
         wfReal ease = 1 / p[0].massN + 1 / p[1].massN;
         add_row(l, c->n, (p[0].nA + p[1].nA) / 2, (p[0].nB + p[1].nB) / 2, ease / 4);
@@ -300,6 +301,7 @@ static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
     wfReal e[2], *wrong = l->wave.wrong;
     memset(l->wave.load, 0, sizeof l->wave.load);
     memset(l->wave.push, 0, sizeof l->wave.push);
+    memset(wrong, 0, sizeof l->wave.wrong);
     if (l->points == 0) return;
     for (int32_t k = 0; k < c->count; k++)
         e[k] = what_is_wrong(s, law, &p[k], wfNormalRate(&m, &p[k]));
@@ -354,50 +356,59 @@ static void add3(wfReal to[3], wfReal share, const wfReal v[3])
     to[0] += share * v[0], to[1] += share * v[1], to[2] += share * v[2];
 }
 
+/* m v, for a matrix of three rows of three */
+static inline void times3(const wfReal *m, const wfReal v[3], wfReal out[3])
+{
+    out[0] = dot3(m, v), out[1] = dot3(m + 3, v), out[2] = dot3(m + 6, v);
+}
+
+/* to + m^T share */
+static void sum3(wfReal to[3], const wfReal share[3], const wfReal *m)
+{
+    add3(to, share[0], m), add3(to, share[1], m + 3), add3(to, share[2], m + 6);
+}
+
 static bool fold(const wfLimb *l, wfFold *f, wfFold *below, wfReal gamma)
 {
     if (!ease_mass(f->mass)) return false;
+    memset(f->hold, 0, sizeof f->hold);
     for (int32_t i = 0; i < l->rows; i++) {
         wfReal eased[3], *S = f->hold[i];
-        for (int32_t k = 0; k < 3; k++) eased[k] = dot3(f->mass[k], l->up[i]);
+        times3(*f->mass, l->up[i], eased);
         for (int32_t j = 0; j < i; j++) S[j] = f->hold[j][i] = dot3(eased, l->up[j]);
         S[i] = dot3(eased, l->up[i]) * (1 + 4 * WF_EPSILON) + gamma * l->ease[i];
     }
     if (!invert(l->rows, f->hold)) return false;
     for (int32_t i = 0; below != NULL && i < l->rows; i++) {    /* eq:soft-fold */
         wfReal held[3] = { 0, 0, 0 };
-        for (int32_t j = 0; j < l->rows; j++) add3(held, f->hold[i][j], l->down[j]);
-        for (int32_t k = 0; k < 3; k++) add3(below->mass[k], l->down[i][k], held);
+        sum3(held, f->hold[i], *l->down);
+        add3(below->mass[0], l->down[i][0], held);
+        add3(below->mass[1], l->down[i][1], held);
+        add3(below->mass[2], l->down[i][2], held);
     }
     return true;
 }
 
 static void carry_down(const wfLimb *l, const wfFold *f, wfWave *w, wfWave *below)
 {
-    wfReal eased[3];
-    for (int32_t k = 0; k < 3; k++) eased[k] = dot3(f->mass[k], w->load);
-    for (int32_t i = 0; i < l->rows; i++)
-        w->wrong[i] += dot3(l->up[i], eased);                   /* eq:soft-limb-impulse */
-    for (int32_t i = 0; below != NULL && i < l->rows; i++) {
-        wfReal held = 0;
-        for (int32_t j = 0; j < l->rows; j++) held += f->hold[i][j] * w->wrong[j];
-        add3(below->load, held, l->down[i]);                    /* eq:soft-fold */
-    }
+    wfReal eased[3], more[3], held[3];
+    times3(*f->mass, w->load, eased);
+    times3(*l->up, eased, more);
+    add3(w->wrong, 1, more);                                    /* eq:soft-limb-impulse */
+    if (below == NULL) return;
+    times3(*f->hold, w->wrong, held);
+    sum3(below->load, held, *l->down);                          /* eq:soft-fold */
 }
 
 static void carry_up(const wfLimb *l, const wfFold *f, wfWave *w, const wfWave *below)
 {
     static const wfReal still[3] = { 0, 0, 0 };
-    const wfReal *under = below == NULL ? still : below->gain;
     wfReal lack[3], force[3] = { w->load[0], w->load[1], w->load[2] };
-    for (int32_t i = 0; i < l->rows; i++) lack[i] = dot3(l->down[i], under) - w->wrong[i];
-    for (int32_t i = 0; i < l->rows; i++) {                     /* eq:soft-limb-impulse */
-        wfReal push = 0;
-        for (int32_t j = 0; j < l->rows; j++) push += f->hold[i][j] * lack[j];
-        w->push[i] = push;
-        add3(force, push, l->up[i]);
-    }
-    for (int32_t k = 0; k < 3; k++) w->gain[k] = dot3(f->mass[k], force);
+    times3(*l->down, below == NULL ? still : below->gain, lack);
+    add3(lack, -1, w->wrong);
+    times3(*f->hold, lack, w->push);                            /* eq:soft-limb-impulse */
+    sum3(force, w->push, *l->up);
+    times3(*f->mass, force, w->gain);
 }
 
 /* solve the trees */
