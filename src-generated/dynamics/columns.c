@@ -126,7 +126,8 @@ static bool close_loops(Search *q, int32_t root)
     }
     if (q->loops > 0) t->linked = true;
     t->limb[root].links = t->count;
-    t->limb[root].given_up = t->limb[root].made[0] = t->limb[root].made[1] = false;
+    t->limb[root].given_up = false;
+    t->limb[root].stale[0] = t->limb[root].stale[1] = t->count - 1 - root;
     t->limb[root].state = LIMB_FAILS;
     t->limb[root].answers = t->answers;
     t->answers += ANSWERS(3 * q->loops);
@@ -368,7 +369,7 @@ static void sum3(wfReal to[3], const wfReal share[3], const wfReal *m)
     add3(to, share[0], m), add3(to, share[1], m + 3), add3(to, share[2], m + 6);
 }
 
-static bool fold(const wfLimb *l, wfFold *f, wfFold *below, wfReal gamma)
+static bool fold(const wfLimb *l, wfFold *f, wfReal gamma)
 {
     if (!ease_mass(f->mass)) return false;
     memset(f->hold, 0, sizeof f->hold);
@@ -378,15 +379,18 @@ static bool fold(const wfLimb *l, wfFold *f, wfFold *below, wfReal gamma)
         for (int32_t j = 0; j < i; j++) S[j] = f->hold[j][i] = dot3(eased, l->up[j]);
         S[i] = dot3(eased, l->up[i]) * (1 + 4 * WF_EPSILON) + gamma * l->ease[i];
     }
-    if (!invert(l->rows, f->hold)) return false;
-    for (int32_t i = 0; below != NULL && i < l->rows; i++) {    /* eq:soft-fold */
+    return invert(l->rows, f->hold);
+}
+
+static void hand_down(const wfLimb *l, const wfFold *f, wfFold *below)
+{
+    for (int32_t i = 0; i < l->rows; i++) {                     /* eq:soft-fold */
         wfReal held[3] = { 0, 0, 0 };
         sum3(held, f->hold[i], *l->down);
         add3(below->mass[0], l->down[i][0], held);
         add3(below->mass[1], l->down[i][1], held);
         add3(below->mass[2], l->down[i][2], held);
     }
-    return true;
 }
 
 static void carry_down(const wfLimb *l, const wfFold *f, wfWave *w, wfWave *below)
@@ -472,6 +476,14 @@ static bool foot_slips(const wfSubsteps *s, const wfLimb *l)
     return wfAbs(tangent) > c->friction * normal;
 }
 
+/* The points of limb l have changed: it and what is under it are folded anew. */
+static void make_stale(wfLimb *root, const wfLimb *l)
+{
+    int32_t at = (int32_t)(l - root);
+    if (root->stale[0] < at) root->stale[0] = at;
+    if (root->stale[1] < at) root->stale[1] = at;
+}
+
 /* known: the points are those that the last sweep has found right */
 static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
 {
@@ -484,7 +496,7 @@ static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
         l->at[k] = c->p[k].normal;
         if (touches || c->p[k].normal > 0) l->points |= 1 << k;
     }
-    if (l->points != was) root->made[0] = root->made[1] = false;
+    if (l->points != was) make_stale(root, l);
 }
 
 static void open_tree(const wfSubsteps *s, wfStacks *t, wfLimb *root, bool known)
@@ -655,22 +667,28 @@ static void let_go(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
 
 static bool make_matrices(const wfSubsteps *s, wfStacks *t, wfLimb *root, int32_t gamma)
 {
-    for (int32_t i = root->root; i < root->links; i++) make_rows(s, &t->limb[i]);
-    for (int32_t i = root->root; i < root->end; i++)
-        begin_mass(s, &t->limb[i], &t->limb[i].trunk->fold[gamma]);
-    for (int32_t i = root->end - 1; i >= root->root; i--) {
-        wfLimb *l = &t->limb[i], *below = below_of(t, l);
-        wfFold *under = below == NULL ? NULL : &below->trunk->fold[gamma];
-        wfFold *own = &l->trunk->fold[gamma];
-        if (!fold(l, own, under, gamma * WF_STACK_COMPLIANCE)) return false;
+    int32_t last = root->root + root->stale[gamma];
+    for (int32_t i = root->root; i <= last; i++) {
+        wfLimb *l = &t->limb[i];
+        make_rows(s, l);
+        if (i < root->end) begin_mass(s, l, &l->trunk->fold[gamma]);
     }
-    root->made[gamma] = root->links == root->end || ask_links(t, root, gamma);
-    return root->made[gamma];
+    for (int32_t i = root->end - 1; i >= root->root; i--) {
+        wfLimb *l = &t->limb[i];
+        wfFold *own = &l->trunk->fold[gamma];
+        if (i <= last && !fold(l, own, gamma * WF_STACK_COMPLIANCE)) return false;
+        if (l->below >= 0 && l->below <= last)
+            hand_down(l, own, &t->limb[l->below].trunk->fold[gamma]);
+    }
+    if (root->links > root->end && !ask_links(t, root, gamma)) return false;
+    root->stale[gamma] = -1;
+    return true;
 }
 
 static bool try_tree(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
 {
-    if (!root->made[law->gamma] && !make_matrices(s, t, root, law->gamma)) return false;
+    bool stale = root->stale[law->gamma] >= 0;
+    if (stale && !make_matrices(s, t, root, law->gamma)) return false;
     for (int32_t i = root->root; i < root->links; i++) find_wrong(s, law, &t->limb[i]);
     for (int32_t i = root->root; i < root->links; i++) let_go(s, t, &t->limb[i]);
     run_wave(t, root, law->gamma, false);
@@ -685,9 +703,11 @@ static void try_quickly(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb
         bool right = true;
         if (!try_tree(s, law, t, root)) root->state = LIMB_FAILS;
         for (int32_t i = root->root; i < root->links; i++)
-            if (!points_are_right(s, law, t, &t->limb[i])) right = false;
-        if (!right) root->made[0] = root->made[1] = false;
-        else if (root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
+            if (!points_are_right(s, law, t, &t->limb[i])) {
+                make_stale(root, &t->limb[i]);
+                right = false;
+            }
+        if (right && root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
     }
 }
 
@@ -720,7 +740,7 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfStacks *
     if (share == 0 && root->came == point_name(t, limb, point)) root->state = LIMB_FAILS;
     limb->at[point] = 0;
     limb->points &= ~(1 << point);
-    root->made[0] = root->made[1] = false;
+    make_stale(root, limb);
     return true;
 }
 
@@ -742,7 +762,7 @@ static bool take_in_worst(const wfSubsteps *s, const Law *law, wfStacks *t,
     if (limb == NULL) return false;
     limb->points |= 1 << point;
     root->came = point_name(t, limb, point);
-    root->made[0] = root->made[1] = false;
+    make_stale(root, limb);
     return true;
 }
 
