@@ -201,6 +201,7 @@ static void add(wfBodyType type, wfReal x, wfReal y, const wfShape *form)
     wfSetMass(&body[i], &props[i], mass.mass, mass.inertia);
 }
 
+/* A floor, and above it a wall of nine boxes, three balls and a tower of ten boxes. */
 static void fill(void)
 {
     wfShape floor, box, ball;
