@@ -35,10 +35,11 @@ wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size)
 {
     wfBlock b;
     wfImage image;
-    if (bytes == NULL) return WF_ERROR_NULL;
     wfResult result = wfChangeBlock(world, &b);
+    if (result == WF_OK && bytes == NULL) result = WF_ERROR_NULL;
     if (result == WF_OK) result = wfReadImage((const uint8_t *)bytes, size, &image);
-    return result == WF_OK ? wfTakeImage(&b, &image) : result;
+    if (result == WF_OK) result = wfTakeImage(&b, &image);
+    return wfRefuse(&b, result, "bytes", NULL);
 }
 
 wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out)
@@ -224,14 +225,12 @@ static wfWorldDef with_room(const wfHeader *head, const wfWorldDef *room)
     return def;
 }
 
-wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
+wfResult wfMoveWorld(wfWorld *world, const wfWorldDef *room)
 {
     wfBlock b;
     wfImage image;
     wfWorld made;
-    if (room == NULL) return WF_ERROR_NULL;
-    wfResult result = wfCheckWorldDef(room, NULL);
-    if (result == WF_OK) result = open_image(world, &b, &image);
+    wfResult result = open_image(world, &b, &image);
     if (result != WF_OK) return result;
     wfWorldDef def = with_room(b.head, room);
     result = wfWorldOfImage(&image, &def, &made);
@@ -239,6 +238,18 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     wfDestroyWorld(world);
     world->memory = made.memory;
     return WF_OK;
+}
+
+wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
+{
+    wfBlock b;
+    const wfSetting *fault;
+    wfResult result = wfChangeBlock(world, &b);
+    if (result != WF_OK) return result;
+    if (room == NULL) return wfRefuse(&b, WF_ERROR_NULL, "room", NULL);
+    result = wfCheckWorldDef(room, &fault);
+    if (result != WF_OK) return wfRefuseSetting(&b, result, fault, room);
+    return wfRefuse(&b, wfMoveWorld(world, room), "room", NULL);
 }
 
 /* rewind */
@@ -304,15 +315,20 @@ wfResult wfRewindKeep(wfRewind *ring, const wfWorld *world)
 
 wfResult wfRewindTo(wfRewind *ring, wfWorld *world, uint64_t step)
 {
-    if (ring == NULL || ring->bytes == NULL) return WF_ERROR_NULL;
+    wfBlock b;
+    wfResult result = wfChangeBlock(world, &b);
+    if (result == WF_OK && (ring == NULL || ring->bytes == NULL))
+        result = wfRefuse(&b, WF_ERROR_NULL, "ring", NULL);
+    if (result != WF_OK) return result;
     wfRewind r = *ring;
     while (r.count > 0 && kept_at(&r, r.newest)->step > step) {
         r.newest = kept_at(&r, r.newest)->before;
         r.count--;
     }
-    if (r.count == 0) return WF_ERROR_UNKNOWN;
+    if (r.count == 0)
+        return wfRefuse(&b, WF_ERROR_UNKNOWN, "step", "nothing so old is kept");
     const Kept *k = kept_at(&r, r.newest);
-    wfResult result = wfRestoreWorld(world, r.bytes + r.newest + KEPT, k->size);
+    result = wfRestoreWorld(world, r.bytes + r.newest + KEPT, k->size);
     if (result == WF_OK) *ring = r;
     return result;
 }

@@ -832,7 +832,7 @@ static wfResult op_snapshot(Session *s)         /* there and back: the world is 
     MUST(wfRestoreWorld(&clone, bytes, size) == WF_OK && wfCompareWorlds(w, &clone, NULL) == WF_OK);
     MUST(wfStepWorld(&clone) == there);
     wfDestroyWorld(&clone);
-    MUST(wfRestoreWorld(w, bytes, below(s, (uint32_t)size)) != WF_OK);
+    MUST(CALL(wfRestoreWorld(w, bytes, below(s, (uint32_t)size))) != WF_OK);
     wfResult r = wfRestoreWorld(w, bytes, size);
     MUST(r == WF_OK && wfHashWorld(w) == hash);
     free(bytes);
@@ -864,7 +864,7 @@ static wfResult op_grow(Session *s)             /* a world of its own memory get
     d.bodyCapacity += (int32_t)below(s, 3); d.forceCapacity += (int32_t)below(s, 2);
     if (chance(s, 60)) d.bodyCapacity -= 2;
     wfWorldDef before = s->def;
-    wfResult r = wfGrowWorld(w, &d);
+    wfResult r = CALL(wfGrowWorld(w, &d));
     if (r != WF_OK) return r;
     s->def = before;
     s->def.bodyCapacity = d.bodyCapacity; s->def.forceCapacity = d.forceCapacity;
@@ -884,7 +884,7 @@ static wfResult op_rewind(Session *s)
     wfResult r = CALL(wfRewindKeep(&ring, w));
     if (r != WF_OK || s->inHook) return r == WF_OK ? WF_ERROR_BUSY : r;
     MUST(wfRewindReach(&ring, &oldest, &newest) == WF_OK && oldest == newest && newest == wfWorldSteps(w));
-    MUST(newest == 0 || wfRewindTo(&ring, w, newest - 1) == WF_ERROR_UNKNOWN);
+    MUST(newest == 0 || CALL(wfRewindTo(&ring, w, newest - 1)) == WF_ERROR_UNKNOWN);
     return wfRewindTo(&ring, w, newest + below(s, 3));
 }
 
