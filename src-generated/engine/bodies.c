@@ -397,10 +397,8 @@ wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal an
     const wfBodyState *s = &b.state[i];
     wfVec2 to = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
     wfReal turn = wfWrapAngle(angle - s->angle);
-    wfVec2 by = wfScale(1 / seconds, wfSub(to, s->p));
-    if (!wfIsFinite2(by) || !wfIsFinite(turn / seconds))
-        return wfRefuse(&b, WF_ERROR_NOT_FINITE, "seconds", "too few for so long a way");
-    return wfSetBodyVelocity(world, id, by, turn / seconds);
+    wfVec2 way = wfSub(to, s->p);
+    return wfSetBodyVelocity(world, id, wfScale(1 / seconds, way), turn / seconds);
 }
 
 /* push a body in a world */

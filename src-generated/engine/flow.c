@@ -160,7 +160,6 @@ const wfFlowRow wfFlowTable[] = {
     { "islands", WF_SOLVER_MOVES, { 0, F(NEW_JOINTS) }, { 0, 0 }, NULL },
     { "bounds", WF_EITHER, { K(ALIVE) | K(FLAGS), 0 }, { 0, 0 }, NULL },
     { "impacts", WF_STAGES_MOVE, { K(ALIVE) | K(FLAGS), 0 }, { 0, 0 }, NULL },
-    { "keep joints", WF_SOLVER_MOVES, { K(ALIVE), 0 }, { 0, 0 }, NULL },
 };
 const int wfFlowCount = (int)(sizeof wfFlowTable / sizeof *wfFlowTable);
 #undef K

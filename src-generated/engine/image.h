@@ -36,5 +36,4 @@ wfWorldDef wfRoomOfImage(const wfImage *image);
 size_t wfMemoryOf(const wfWorldDef *def);
 /* A world with room as `room` says, in its memory, that is what the image shows. */
 wfResult wfWorldOfImage(const wfImage *image, const wfWorldDef *room, wfWorld *out);
-wfResult wfMoveWorld(wfWorld *world, const wfWorldDef *room);    /* for wfGrowWorld */
 #endif

@@ -225,31 +225,23 @@ static wfWorldDef with_room(const wfHeader *head, const wfWorldDef *room)
     return def;
 }
 
-wfResult wfMoveWorld(wfWorld *world, const wfWorldDef *room)
+wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
 {
     wfBlock b;
     wfImage image;
     wfWorld made;
-    wfResult result = open_image(world, &b, &image);
-    if (result != WF_OK) return result;
-    wfWorldDef def = with_room(b.head, room);
-    result = wfWorldOfImage(&image, &def, &made);
-    if (result != WF_OK) return result;
-    wfDestroyWorld(world);
-    world->memory = made.memory;
-    return WF_OK;
-}
-
-wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
-{
-    wfBlock b;
     const wfSetting *fault;
     wfResult result = wfChangeBlock(world, &b);
     if (result != WF_OK) return result;
-    if (room == NULL) return wfRefuse(&b, WF_ERROR_NULL, "room", NULL);
     result = wfCheckWorldDef(room, &fault);
     if (result != WF_OK) return wfRefuseSetting(&b, result, fault, room);
-    return wfRefuse(&b, wfMoveWorld(world, room), "room", NULL);
+    wfWorldDef def = with_room(b.head, room);
+    result = wfImageOfBlock(&b, &image);
+    if (result == WF_OK) result = wfWorldOfImage(&image, &def, &made);
+    if (result != WF_OK) return wfRefuse(&b, result, "room", NULL);
+    wfDestroyWorld(world);
+    world->memory = made.memory;
+    return WF_OK;
 }
 
 /* rewind */
@@ -315,20 +307,15 @@ wfResult wfRewindKeep(wfRewind *ring, const wfWorld *world)
 
 wfResult wfRewindTo(wfRewind *ring, wfWorld *world, uint64_t step)
 {
-    wfBlock b;
-    wfResult result = wfChangeBlock(world, &b);
-    if (result == WF_OK && (ring == NULL || ring->bytes == NULL))
-        result = wfRefuse(&b, WF_ERROR_NULL, "ring", NULL);
-    if (result != WF_OK) return result;
+    if (ring == NULL || ring->bytes == NULL) return WF_ERROR_NULL;
     wfRewind r = *ring;
     while (r.count > 0 && kept_at(&r, r.newest)->step > step) {
         r.newest = kept_at(&r, r.newest)->before;
         r.count--;
     }
-    if (r.count == 0)
-        return wfRefuse(&b, WF_ERROR_UNKNOWN, "step", "nothing so old is kept");
+    if (r.count == 0) return WF_ERROR_UNKNOWN;
     const Kept *k = kept_at(&r, r.newest);
-    result = wfRestoreWorld(world, r.bytes + r.newest + KEPT, k->size);
+    wfResult result = wfRestoreWorld(world, r.bytes + r.newest + KEPT, k->size);
     if (result == WF_OK) *ring = r;
     return result;
 }

@@ -884,7 +884,7 @@ static wfResult op_rewind(Session *s)
     wfResult r = CALL(wfRewindKeep(&ring, w));
     if (r != WF_OK || s->inHook) return r == WF_OK ? WF_ERROR_BUSY : r;
     MUST(wfRewindReach(&ring, &oldest, &newest) == WF_OK && oldest == newest && newest == wfWorldSteps(w));
-    MUST(newest == 0 || CALL(wfRewindTo(&ring, w, newest - 1)) == WF_ERROR_UNKNOWN);
+    MUST(newest == 0 || wfRewindTo(&ring, w, newest - 1) == WF_ERROR_UNKNOWN);
     return wfRewindTo(&ring, w, newest + below(s, 3));
 }
 
