@@ -158,6 +158,21 @@ TEST(test_joined_do_not_collide)
 }
 
 /* Many joints in any order: the sorted list must find each pair, and no other. */
+TEST(test_two_bodies_with_many_joints)
+{
+    /* A step sorts the pairs of joined bodies: it has room for them however few bodies, pairs and contacts there are. */
+    for (int joints = 1; joints <= 2048; joints *= 2) {
+        wfWorldDef def = wfDefaultWorldDef();
+        def.bodyCapacity = 2, def.shapeCapacity = 2, def.forceCapacity = 0, def.jointCapacity = joints;
+        def.advanced.pairCapacity = def.advanced.contactCapacity = 1;
+        wfWorld w = world_with(&def);
+        wfBodyId a = box(&w, WF_STATIC, 0, 0, 0.5, 0.5), b = box(&w, WF_DYNAMIC, 0.5, 0, 0.5, 0.5);
+        for (int i = 0; i < joints; i++) pin(&w, i == 0 ? "weld" : "filter", a, b, 0, 0);
+        run(&w, 2);
+        wfDestroyWorld(&w);
+    }
+}
+
 TEST(test_every_joined_pair_is_found)
 {
     wfWorldDef def = wfDefaultWorldDef();

@@ -41,6 +41,27 @@ TEST(others_move_as_if_it_were_not_there)
     wfDestroyWorld(&without);
 }
 
+TEST(a_joint_that_was_left_out_bore_nothing)
+{
+    wfWorld w = yard(0);
+    wfBodyId peg = add(&w, (wfBodyDef){ .type = WF_STATIC, .position = { { 0, 9 } } }), lamp = add(&w, square_def(0, 7, 0.5));
+    wfJoint j;
+    wfJointId id;
+    wfVec2 force;
+    wfReal torque, most[2];
+    assert_ok(wfDefineJoint(&w, "weld", peg, lamp, wfV2(WF_R(0.5), 9), wfV2(WF_R(0.5), 9), wfV2(1, 0), &j));
+    assert_ok(wfAddJointToWorld(&w, &j, &id));
+    for (int out = 0; out < 4; out++) {
+        assert_ok(wfEnableBody(&w, out < 2 ? lamp : peg, out % 2));
+        steps(&w, 1 + 59 * (out % 2));
+        assert_ok(wfGetJointLoad(&w, id, &force, &torque));
+        assert_ok(wfGetJointPeak(&w, id, &most[0], &most[1]));
+        assert_near(force.y, out % 2 ? 9.81 : 0, out % 2 ? 0.1 : 0);
+        assert_true((torque == 0 && most[0] == 0 && most[1] == 0) == (out % 2 == 0));
+    }
+    wfDestroyWorld(&w);
+}
+
 TEST(it_stays_with_every_method)
 {
     for (int solver = 0; solver < wfSolverCount; solver++)

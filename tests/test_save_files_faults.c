@@ -197,6 +197,38 @@ TEST(every_argument_of_a_body)
     wfDestroyWorld(&w);
 }
 
+TEST(calls_that_move_a_world)
+{
+    wfWorldDef def = wfDefaultWorldDef(), more = def;
+    def.bodyCapacity = 4;
+    wfWorld w = world_with(&def), large = world_with(&more);
+    add(&w, ball_def(5, 0, 1));
+    size_t size = wfSnapshotSize(&large);
+    for (int i = 0; i < 9; i++) add(&large, ball_def(3 * i, 0, 1)), size = wfSnapshotSize(&large);
+    uint8_t *bytes = malloc(size);
+    assert_non_null(bytes);
+    assert_ok(wfSnapshotWorld(&large, bytes, size, &size));
+    add(&w, ball_def(0, 0, 1));
+    void *before = copy_of(&w);
+    expect(&w, WF_ERROR_FULL, wfRestoreWorld(&w, bytes, size), "wfRestoreWorld: bytes: no room is left: create the world or pool with more of it");
+    expect(&w, WF_ERROR_NULL, wfRestoreWorld(&w, NULL, size), "wfRestoreWorld: bytes: a pointer is NULL: pass the address of a structure");
+    assert_result(WF_ERROR_TRUNCATED, wfRestoreWorld(&w, bytes, size / 2));
+    assert_int_equal(wfLastFault(&w)->result, WF_ERROR_TRUNCATED);
+    assert_ok(wfGetWorldDef(&w, &def));
+    def.bodyCapacity = 1;
+    expect(&w, WF_ERROR_FULL, wfGrowWorld(&w, &def), "wfGrowWorld: room: no room is left: create the world or pool with more of it");
+    def.timeStep = -1;
+    expect(&w, WF_ERROR_RANGE, wfGrowWorld(&w, &def), "wfGrowWorld: timeStep is -1, must be > 0");
+    expect(&w, WF_ERROR_NULL, wfGrowWorld(&w, NULL), "wfGrowWorld: def: a pointer is NULL: pass the address of a structure");
+    assert_ok(wfGetWorldDef(&w, &def));
+    def.advanced.directJoints = WF_JOINTS_ITERATIVE;
+    expect(&w, WF_ERROR_MEMORY, wfSetWorldDef(&w, &def), "wfSetWorldDef: directJoints: chosen when a world is made");
+    expect(&w, WF_ERROR_MEMORY, wfSetMethods(&w, -1, -1, -1, wfFindSolver("exact")), "wfSetMethods: solver: chosen when a world is made");
+    assert_unchanged(&w, before);
+    free(bytes);
+    wfDestroyWorld(&w), wfDestroyWorld(&large);
+}
+
 /* ---- settings -------------------------------------------------------------------------------------------------------------------- */
 TEST(every_setting)
 {

@@ -613,7 +613,8 @@ static bool find_wrong(wfMatrix *m, wfJointSet *set, const wfSolve *in, int32_t 
     for (int32_t k = 0; k < w->holds; k++) {
         wfReal gap = w->row[w->hold[k]].error, size = m->size[i][k];
         wfReal part = wfClamp(more * j->elastic[k], wfMinR(gap, 0), wfMaxR(gap, 0));
-        if (apart || !(wfAbs(gap - part) * size > 8 * WF_EXACT_ROUNDING)) part = gap;
+        if (apart) part = 0;
+        else if (!(wfAbs(gap - part) * size > 8 * WF_EXACT_ROUNDING)) part = gap;
         wfReal wrong = gap - part;
         if (new) j->loose[k] = wrong;
         j->loose[k] = wfClamp(j->loose[k], wfMinR(wrong, 0), wfMaxR(wrong, 0));

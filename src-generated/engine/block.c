@@ -56,6 +56,7 @@ static size_t stage_scratch(const wfWorldDef *d, size_t late)
     if (mends || boxed) most = larger(most, sizeof(wfBodyState) * bodies + WF_POOL_ALIGN);
     size_t touches = d->events ? (size_t)d->advanced.contactCapacity : 0;
     most = larger(most, 3 * (sizeof(wfTouchingPair) * touches + WF_POOL_ALIGN));
+    most = larger(most, wfSortPairsSize(d->bodyCapacity, d->jointCapacity));
     bool ties = d->advanced.directJoints != WF_JOINTS_ITERATIVE
              && d->solver == wfFindSolver(WF_SOLVER_LARGE);
     if (ties) most += wfExactTieScratch(d->jointCapacity);

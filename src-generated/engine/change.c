@@ -113,9 +113,11 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     }
     /* what else a change of the settings needs */
     bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
-    if (large && !h->large) return wfRefuseSetting(b, WF_ERROR_MEMORY, NULL, &d);
+    if (large && !h->large)
+        return wfRefuse(b, WF_ERROR_MEMORY, "solver", "chosen when a world is made");
     bool matrix = h->directJoints != WF_JOINTS_ITERATIVE;
-    if (matrix != (d.advanced.directJoints != WF_JOINTS_ITERATIVE)) return WF_ERROR_MEMORY;
+    if (matrix != (d.advanced.directJoints != WF_JOINTS_ITERATIVE))
+        return wfRefuse(b, WF_ERROR_MEMORY, "directJoints", "chosen when a world is made");
     if (!same) wfBodyChanged(b, -1);
     /* before the settings change */
     if (!d.advanced.queries) h->indexStale = 1;

@@ -18,5 +18,8 @@ bool wfGrowFor(wfWorld *world, const char *name, int32_t need)
     wfWorldDef def = wfSettings(b.head);
     bool more = raise_room(&def, name, need);
     if (need == 0) more = raise_room(&def, "contactCapacity", 0) || more;
-    return more && wfGrowWorld(world, &def) == WF_OK;
+    wfWorld moved = *world;     /* what this call notes is not the world's */
+    more = more && wfGrowWorld(&moved, &def) == WF_OK;
+    world->memory = moved.memory;
+    return more;
 }

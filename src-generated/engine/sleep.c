@@ -502,9 +502,10 @@ static void tell_ends(wfBlock *b, int32_t i)
     wfForgetContacts(b, i, -1);
     /* tell the other ends of what hangs on body i */
     for (int32_t k = 0; k < b->head->jointSlots.high; k++) {
-        const wfJoint *j = &b->joints[k];
-        bool hangs = b->jointSlots[k].next == WF_SLOT_LIVE && (j->a == i || j->b == i);
-        if (hangs) wfEndsChanged(b, j->a, j->b);
+        wfJoint *j = &b->joints[k];
+        if (b->jointSlots[k].next != WF_SLOT_LIVE || (j->a != i && j->b != i)) continue;
+        wfEndsChanged(b, j->a, j->b);
+        j->load = wfV2(0, 0), j->twist = j->peakForce = j->peakTorque = 0;  /* bears nothing */
     }
     for (int32_t k = 0; k < b->head->forceSlots.high; k++) {
         const wfForce *f = &b->forces[k];

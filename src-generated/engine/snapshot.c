@@ -35,10 +35,11 @@ wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size)
 {
     wfBlock b;
     wfImage image;
-    if (bytes == NULL) return WF_ERROR_NULL;
     wfResult result = wfChangeBlock(world, &b);
+    if (result == WF_OK && bytes == NULL) result = WF_ERROR_NULL;
     if (result == WF_OK) result = wfReadImage((const uint8_t *)bytes, size, &image);
-    return result == WF_OK ? wfTakeImage(&b, &image) : result;
+    if (result == WF_OK) result = wfTakeImage(&b, &image);
+    return wfRefuse(&b, result, "bytes", NULL);
 }
 
 wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out)
@@ -229,13 +230,15 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     wfBlock b;
     wfImage image;
     wfWorld made;
-    if (room == NULL) return WF_ERROR_NULL;
-    wfResult result = wfCheckWorldDef(room, NULL);
-    if (result == WF_OK) result = open_image(world, &b, &image);
+    const wfSetting *fault;
+    wfResult result = wfChangeBlock(world, &b);
     if (result != WF_OK) return result;
+    result = wfCheckWorldDef(room, &fault);
+    if (result != WF_OK) return wfRefuseSetting(&b, result, fault, room);
     wfWorldDef def = with_room(b.head, room);
-    result = wfWorldOfImage(&image, &def, &made);
-    if (result != WF_OK) return result;
+    result = wfImageOfBlock(&b, &image);
+    if (result == WF_OK) result = wfWorldOfImage(&image, &def, &made);
+    if (result != WF_OK) return wfRefuse(&b, result, "room", NULL);
     wfDestroyWorld(world);
     world->memory = made.memory;
     return WF_OK;

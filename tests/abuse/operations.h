@@ -832,7 +832,7 @@ static wfResult op_snapshot(Session *s)         /* there and back: the world is 
     MUST(wfRestoreWorld(&clone, bytes, size) == WF_OK && wfCompareWorlds(w, &clone, NULL) == WF_OK);
     MUST(wfStepWorld(&clone) == there);
     wfDestroyWorld(&clone);
-    MUST(wfRestoreWorld(w, bytes, below(s, (uint32_t)size)) != WF_OK);
+    MUST(CALL(wfRestoreWorld(w, bytes, below(s, (uint32_t)size))) != WF_OK);
     wfResult r = wfRestoreWorld(w, bytes, size);
     MUST(r == WF_OK && wfHashWorld(w) == hash);
     free(bytes);
@@ -864,7 +864,7 @@ static wfResult op_grow(Session *s)             /* a world of its own memory get
     d.bodyCapacity += (int32_t)below(s, 3); d.forceCapacity += (int32_t)below(s, 2);
     if (chance(s, 60)) d.bodyCapacity -= 2;
     wfWorldDef before = s->def;
-    wfResult r = wfGrowWorld(w, &d);
+    wfResult r = CALL(wfGrowWorld(w, &d));
     if (r != WF_OK) return r;
     s->def = before;
     s->def.bodyCapacity = d.bodyCapacity; s->def.forceCapacity = d.forceCapacity;
