@@ -285,3 +285,37 @@ TEST(offers_lie_on_no_body)
     assert_true(play_fact(&p, "widget Throw a ball pixel", 1) < play_fact(&p, "body 10 x", 3) - 20);
     play_end(&p);
 }
+
+/* The rows of the list, from above: the name at each place. */
+static void found_by(play *p, const char *letters)
+{
+    char script[200] = "steps 0\nkey escape\nframe\nkey /\nframe\n";
+    for (; *letters; letters++) snprintf(script + strlen(script), sizeof script - strlen(script), *letters == ' ' ? "key space\n" : "key %c\n", *letters);
+    strcat(script, "frame\nframe\n");
+    play_run(p, script);
+}
+
+static double place_of(const play *p, const char *name)
+{
+    char label[80];
+    snprintf(label, sizeof label, "widget %s", name);
+    if (!play_line(p, label)) return 1e9;
+    snprintf(label, sizeof label, "widget %s pixel", name);
+    return play_fact(p, label, 1);
+}
+
+/* Whole words first, then beginnings of words, then parts; names before texts; letters never across a space. */
+TEST(the_search_knows_words)
+{
+    static const struct { const char *letters, *first, *second; } of[] = { { "car", "race car", "cart" }, { "car", "hill car", "card house" },
+        { "sand", "hourglass", "spring and orbit" }, { "CAR", "race car", "cart" }, { "car race", "race car", "cart" }, { "crd", "card house", "cart" }, { "tower", "tower", "tower of a hundred" } };
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene pyramid\nframe\nframe\n");
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        found_by(&p, of[i].letters);
+        if (!(place_of(&p, of[i].first) < place_of(&p, of[i].second))) fail_msg("%s: %s is not above %s", of[i].letters, of[i].first, of[i].second);
+    }
+    found_by(&p, "sand");
+    assert_true(place_of(&p, "hourglass") < place_of(&p, "find") + 60);
+    play_end(&p);
+}

@@ -60,13 +60,18 @@ static int list_scenes(ui *u, game *g)
     return chosen;
 }
 
-/* How well the query fits the scene: its name, or else its sentence or its chapter. */
+/* How well the query fits the scene: its name, what is told of it, letters of its name. */
 static float scene_fit(const wfScene *scene, const char *query)
 {
-    float fit = ui_fit(query, scene->name);
-    bool told = ui_holds(scene->text, query) || ui_holds(scene->category, query) ||
-                ui_holds(scene->chapter, query);
-    return fit >= 0 ? fit + 1 : told ? 0 : -1;
+    const char *told[] = { scene->text, scene->category, scene->chapter, scene->name };
+    int best = 0;
+    for (int i = 0; i < 4; i++) {
+        int how = 2 * ui_holds(told[i], query) + (i == 3);
+        if (how > best) best = how;
+    }
+    float letters = ui_fit(query, scene->name);
+    if (best > 1) return (float)best + 1 / (1 + (float)strlen(scene->name));
+    return letters < 0 ? -1 : letters / 1000;
 }
 
 static int list_found(ui *u, game *g)

@@ -52,7 +52,8 @@ enum {
     GAME_KEY_BACKSPACE = 8, GAME_KEY_TAB = 9, GAME_KEY_ENTER = 13, GAME_KEY_ESCAPE = 27,
     GAME_KEY_SPACE = 32, GAME_KEY_DELETE = 127, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
     GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN,
-    GAME_KEY_UNDO, GAME_KEY_REDO    /* Ctrl-Z; Ctrl-Shift-Z or Ctrl-Y */
+    GAME_KEY_UNDO, GAME_KEY_REDO,   /* Ctrl-Z; Ctrl-Shift-Z or Ctrl-Y */
+    GAME_KEY_ALL                    /* Ctrl-A */
 };
 /* What a command line may press by itself: sec:platform-pictures. */
 enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
