@@ -319,3 +319,35 @@ TEST(the_search_knows_words)
     assert_true(place_of(&p, "hourglass") < place_of(&p, "find") + 60);
     play_end(&p);
 }
+
+/* While somebody drives, no arrow moves the view, and no offers come and go. */
+TEST(who_plays_is_left_alone)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 1\nscene pinball\nwait 5\nhold left\nwait 5\nlet left\nwait 5\n");
+    double y = play_fact(&p, "view", 1);
+    key(&p, GAME_KEY_UP);
+    assert_near(play_fact(&p, "view", 1), y, 0);
+    play_run(&p, "steps 1\nwait 900\n");
+    assert_null(play_line(&p, "widget Throw a ball"));
+    play_end(&p);
+}
+
+TEST(there_is_empty_ground_to_build_on)
+{
+    static const char *const asked[] = { "empty", "blank", "sandbox", "new", "ground" };
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene pyramid\nframe\nframe\n");
+    for (size_t i = 0; i < sizeof asked / sizeof *asked; i++) {
+        found_by(&p, asked[i]);
+        if (place_of(&p, "empty ground") > place_of(&p, "find") + 130) fail_msg("%s does not find it", asked[i]);
+    }
+    play_run(&p, "steps 0\nkey escape\nframe\nscene empty-ground\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), 1);
+    play_click(&p, "Place");
+    press(&p, 600, 300, 620, 320);
+    play_click(&p, "Pin");
+    press(&p, 600, 300, 600, 300);
+    assert_true(play_says(&p, "said pinned"));
+    play_end(&p);
+}

@@ -370,7 +370,8 @@ void game_obey_key(game *g, int32_t key)
     case GAME_KEY_DELETE: remove_chosen(g); break;
     case GAME_KEY_ESCAPE: s->menu = s->keys = 0; break;
     default:
-        if (!s->ui.focus && !game_drives(g, game_key_bit(key))) obey_view_key(g, key);
+        if (!s->ui.focus && !(s->driven && game_key_bit(key)) &&
+            !game_drives(g, game_key_bit(key))) obey_view_key(g, key);
         break;
     }
     for (int i = 0; i < toolCount; i++)

@@ -51,7 +51,7 @@ static void interface(ui *u, game *g, double seconds)
                                  g->scene->text) - 7;
     }
     if (s->challenge) s->head += game_card(u, g, x);
-    else if (s->calm > 6 && !game_panel_covers(s)) game_offer(u, g, x);
+    else if (s->calm > 6 && !game_panel_covers(s) && !game_drives_any(g)) game_offer(u, g, x);
     bool covered = game_panel_covers(s);
     game_state_line(u, g, x);
     game_time_bar(u, g);
