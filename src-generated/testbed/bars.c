@@ -385,8 +385,12 @@ void game_tool_bar(ui *u, game *g, bar *b)
         if (!(toolTable[m->tool].choices & 1u << i)) continue;
         bar_room(b, 106);
         if (ui_choice(u, c->name, b->x, b->y + 1, 106, &row,
-                      (ui_names){ tool_choice_count, tool_choice_name, c }, false))
+                      (ui_names){ tool_choice_count, tool_choice_name, c }, false)) {
             m->choice[i] = row;
+            if (i == TOOL_JOINT)
+                snprintf(m->said, sizeof m->said, "%s: %s", tool_choice_name(c, row),
+                         tool_joint_text(row));
+        }
         b->x += 112;
     }
 }

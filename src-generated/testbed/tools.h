@@ -72,6 +72,7 @@ wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made);
 /* The same for an input for which the world must have these modules; makes room if it is
  * full. Errors of wfGiveInput. */
 wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made);
+const char *tool_joint_text(int row);   /* of a row of the choice of joints */
 /* Forgets who was removed meanwhile; chooses one body alone (index 0: nobody). */
 void tool_forget(tool_work *w);
 void tool_choose(tool_memory *m, wfBodyId id);
