@@ -351,3 +351,84 @@ TEST(there_is_empty_ground_to_build_on)
     assert_true(play_says(&p, "said pinned"));
     play_end(&p);
 }
+
+static void tap(play *p, double x, double y)
+{
+    char script[160];
+    snprintf(script, sizeof script, "finger 1\nsteps 0\nmove %g %g\ndown left\nframe\nup left\nframe\nframe\n", x, y);
+    play_run(p, script);
+}
+
+/* A curve has a strip with a cross, as wide as a finger; the scene stands clear of curves where a telephone has room. */
+TEST(curves_are_put_away_and_cover_nothing)
+{
+    static const struct { const char *scene; int width, height; } of[] = { { "springs", 780, 1500 }, { "stack-of-boxes", 780, 1500 }, { "two-thousand-bodies", 780, 1500 }, { "tower", 1688, 780 }, { "springs", 1688, 780 } };
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        play p;
+        char script[100];
+        snprintf(script, sizeof script, "finger 1\nsteps 0\nscene %s\nframe\nsteps 1\nwait 90\n", of[i].scene);
+        begin(&p, of[i].width, of[i].height, 2, script);
+        game_state *s = state_of(&p);
+        bool upright = of[i].height > of[i].width;
+        s->curves = 1, s->lent = upright ? 2 : 0;
+        play_run(&p, "finger 1\nsteps 0\nframe\nframe\n");
+        double x = play_fact(&p, "widget close energy pixel", 0), y = play_fact(&p, upright ? "widget close momentum pixel" : "widget close energy pixel", 1);
+        double low = y + 40 * (double)s->scale, right = x + 18 * (double)s->scale;
+        for (int k = 1, seen = 0; k < 40; k++) {
+            snprintf(script, sizeof script, "body %d x", k);
+            if (!play_line(&p, script) && (k > 1 || seen)) break;
+            if (!play_line(&p, script)) continue;
+            seen++;
+            if (play_fact(&p, script, upright ? 3 : 2) < (upright ? low : right)) fail_msg("%s: body %d is under a curve", of[i].scene, k);
+        }
+        tap(&p, x + 16 * (double)s->scale, play_fact(&p, "widget close energy pixel", 1) + 30 * (double)s->scale);
+        assert_int_equal((int)play_fact(&p, "curves", 0), upright ? 2 : 0);
+        if (upright) tap(&p, x, play_fact(&p, "widget close momentum pixel", 1));
+        assert_int_equal((int)play_fact(&p, "curves", 0), 0);
+        play_end(&p);
+    }
+}
+
+/* A scene's own curve comes and goes with it, and is not kept for others. */
+TEST(two_thousand_show_the_curve_that_they_speak_of)
+{
+    play p;
+    begin(&p, 1280, 800, 1, "steps 1\nscene two-thousand-bodies\nwait 150\n");
+    assert_int_equal((int)play_fact(&p, "curves", 0), 1 << WF_PLOT_TIME);
+    assert_true(play_fact(&p, "body 3 x", 2) > play_fact(&p, "widget close time pixel", 0));
+    double y = play_fact(&p, "body 3 x", 1);
+    play_run(&p, "steps 1\nhold up\nwait 30\nlet up\nwait 2\n");
+    assert_true(play_fact(&p, "body 3 x", 1) > y + 0.5);                 /* they rise, and so they fall */
+    press_button(&p, "close time");
+    assert_int_equal((int)play_fact(&p, "curves", 0), 0);
+    play_run(&p, "steps 0\nkey r\nframe\nscene pyramid\nframe\nscene two-thousand-bodies\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "curves", 0), 1 << WF_PLOT_TIME);
+    play_run(&p, "steps 0\nscene pyramid\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "curves", 0), 0);
+    play_end(&p);
+}
+
+/* Slower time is told at once, and a button ends it. */
+TEST(slower_time_is_told)
+{
+    play p;
+    begin(&p, 1280, 800, 1, "steps 0\nscene pyramid\nframe\nkey <\nkey <\nframe\nframe\n");
+    assert_near(play_fact(&p, "rate", 0), 0.25, 0);
+    press_button(&p, "Real time");
+    assert_near(play_fact(&p, "rate", 0), 1, 0);
+    assert_null(play_line(&p, "widget Real time"));
+    play_end(&p);
+}
+
+/* A bar is of the chosen material: wood weighs what all wood does, and it is said. */
+TEST(a_bar_says_what_it_weighs)
+{
+    play p;
+    begin(&p, 1280, 800, 1, "steps 0\nscene empty-ground\nframe\nframe\n");
+    play_click(&p, "Bar");
+    press(&p, 500, 300, 700, 300);
+    double kg = 0, metres = 0;
+    assert_int_equal(sscanf(play_line(&p, "said"), "said a bar of %lf m, %lf kg", &metres, &kg), 2);
+    assert_near(kg, 0.16 * (metres + 0.16), 0.01);
+    play_end(&p);
+}

@@ -229,6 +229,8 @@ void game_buttons(ui *u, game *g, bar *b)
                        row->text))
             game_press_button(g, row);
     }
+    if (g->state->rate != 1 && bar_button(u, b, "Real time", false, "neither slower nor faster"))
+        g->state->rate = 1;
     const char *change = g->scene->change;
     if (change && bar_button(u, b, change, false, "the key T does it, too"))
         g->state->input.choice++;
@@ -286,8 +288,8 @@ void game_state_line(ui *u, const game *g, float x)
     wfWorldContacts(&g->world, &contacts);
     wfWorldEnergy(&g->world, &kinetic, &potential);
     char how[48] = "running";
-    if (s->pace > 0 && s->pace < 0.95)
-        snprintf(how, sizeof how, "running at %.2g of real time", s->pace * s->rate);
+    double pace = s->pace > 0 && s->pace < 0.95 ? s->pace * s->rate : s->rate;
+    if (pace != 1) snprintf(how, sizeof how, "running at %.3g of real time", pace);
     snprintf(line, sizeof line,
              "%s   step %llu   %.2f s   bodies %d   contacts %d   energy %.4g J",
              s->paused ? "paused" : how, (unsigned long long)wfWorldSteps(&g->world),

@@ -30,18 +30,25 @@ static void turn_held(game *g, wfReal by)
     s->turning = 1;
 }
 
-void game_place_camera(game *g)
+void game_free_part(const game *g, camera *c)
 {
-    game_state *s = g->state;
+    const game_state *s = g->state;
     float left = game_list_side(s), right = game_beside(s), k = s->scale;
     float foot = s->bare ? 0 : FOOT + TIME_BAR;
-    camera *c = &s->camera;
     c->left = left * k;
     c->top = s->head * k;
     c->wide = (s->width - left - right) * k;
     c->high = (s->height - s->head - foot) * k;
     if (game_panel_top(s) > s->head) c->high = (game_panel_top(s) - s->head) * k;
     game_spare_controls(g, c);
+}
+
+void game_place_camera(game *g)
+{
+    game_state *s = g->state;
+    camera *c = &s->camera;
+    game_free_part(g, c);
+    if (game_curves(s) && !s->bare) game_spare_curves(g, c);
     if (c->high < 16) c->high = 16;
     if (c->wide < 16) c->wide = 16;
     game_take_pane(s, c);

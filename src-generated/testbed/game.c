@@ -31,7 +31,7 @@ static void interface(ui *u, game *g, double seconds)
     if (drawer || s->menu) u->x = -1e6f;                /* they lie over all else */
     strip(u, -2, s->head);
     strip(u, s->height - FOOT - TIME_BAR + 2, FOOT + TIME_BAR);
-    game_draw_curves(u, g);
+    if (game_curves(s) || game_has_panes(s)) game_draw_curves(u, g);
     if (s->list && !game_has_drawer(s)) game_list_panel(u, g);
     if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
@@ -330,7 +330,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
             (int)s->kicks, s->trial.shown);
     /* say what is compared and looked into */
     wfPut(&w, "pair %d %d\nworlds %d\ncurves %d\n", (int)s->look.shapeA,
-        (int)s->look.shapeB, s->worlds < 1 ? 1 : (int)s->worlds, (int)s->curves);
+        (int)s->look.shapeB, s->worlds < 1 ? 1 : (int)s->worlds, (int)game_curves(s));
     for (int i = 0; i < s->worlds - 1; i++) {
         int32_t at = (s->plots.next + WF_PLOT_SAMPLES - 1) % WF_PLOT_SAMPLES;
         bool known = s->plots.count > 0 && s->other[i] == WF_OK;

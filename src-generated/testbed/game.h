@@ -129,7 +129,8 @@ typedef struct game_state {
     wfBodyId plotted;                   /* whose own curves are kept */
     wfLook look;                        /* what the overlays look into ... */
     int32_t pinned;                     /* ... 1: and it does not follow the mouse */
-    int32_t curves;                     /* which plots are shown, a bit each */
+    int32_t curves, lent;               /* plots that are shown, a bit each: the user's, and
+                                           the scene's own */
     int32_t worlds, overlaid;           /* compared: 1 to 4; drawn over each other */
     int32_t differs[3], part[3];        /* of each other world, the setting, and ... */
     double value[3];                    /* ... what it is there */

@@ -77,6 +77,7 @@ void game_open_scene(game *g, int row)
     if (!same) {                            /* curves of a body that is no more */
         s->plotted = s->plots.body = (wfBodyId){ 0 };
         s->curves &= (1 << WF_PLOT_BODY) - 1;
+        s->lent = g->scene->curves;
     }
     s->menu = 0;
     s->empty = 0;

@@ -421,6 +421,15 @@ static float modules_panel(ui *u, game *g, float x, float y, float w)
     return y;
 }
 
+uint32_t game_curves(const game_state *s) { return (uint32_t)(s->curves | s->lent); }
+
+static void turn_curve(game_state *s, int row)
+{
+    int32_t bit = 1 << row;
+    if (s->lent & bit) s->lent &= ~bit;
+    else s->curves ^= bit;
+}
+
 void game_plot_body(game *g, wfBodyId id)
 {
     g->state->plotted = id;
@@ -432,7 +441,7 @@ static void press_csv(game *g)
     game_state *s = g->state;
     if (!game_has_card(g)) return;
     game_file *f = g->file;
-    f->size = wfPlotText(&s->plots, (uint32_t)s->curves, (char *)f->bytes, f->capacity);
+    f->size = wfPlotText(&s->plots, game_curves(s), (char *)f->bytes, f->capacity);
     if (f->size >= f->capacity) game_tell(g, true, "the curves are too long for a file");
     else game_wish(g, GAME_FILE_EXPORT, FILE_CURVES, "curves.csv");
 }
@@ -497,7 +506,7 @@ void game_draw_legend(ui *u, const game *g, float x)
     const game_state *s = g->state;
     uint32_t rows = u->draw ? wfLegendOf(&g->world) : 0;
     float y = s->head - 30;
-    if (s->no_legend || s->curves || s->width < LIST_ROOM || !(rows & ~5u)) return;
+    if (s->no_legend || game_curves(s) || s->width < LIST_ROOM || !(rows & ~5u)) return;
     for (int i = 0; i < WF_LEGEND_BODIES; i++) {
         if (!(rows >> i & 1)) continue;
         const char *word = wfDrawLegendBody(i, u->draw, x + 12, u->height - y + 4, 12);
@@ -601,8 +610,8 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
         char name[GAME_NAME_SIZE];
         snprintf(name, sizeof name, "curve: %s", wfPlotTable[i].name);
         if (!panel_shows(g, line, ROW)) continue;
-        if (ui_check(u, name, left, line, w / 2 - 8, s->curves >> i & 1))
-            s->curves ^= 1 << i;
+        if (ui_check(u, name, left, line, w / 2 - 8, game_curves(s) >> i & 1))
+            turn_curve(s, i);
         ui_tip(u, name, wfPlotTable[i].text, left, line, w / 2 - 8, ROW);
     }
     y += (float)((wfPlotCount + 1) / 2 * ROW) + 6;
@@ -613,35 +622,93 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
 
 enum { CURVE_WIDE = 268, CURVE_HIGH = 120, CURVE_LOW = 80, CURVE_GAP = 8 };
 
-/* The height at which all curves that are wanted fit into this room, if there is one. */
-static float curve_height(const game_state *s, float wide, float high)
+/* Where the curves stand, units: so many in a line, or in a column; how much of the camera's
+ * part is theirs alone, from above or from the left. */
+typedef struct curve_rows {
+    float left, top, wide, high, strip, spare;
+    int in_line;
+    bool down;                          /* they go down first, in columns */
+} curve_rows;
+
+static int count_curves(uint32_t rows)
 {
-    int wanted = 0, columns = (int)(wide / (CURVE_WIDE + CURVE_GAP));
-    for (int i = 0; i < wfPlotCount; i++) wanted += s->curves >> i & 1;
-    if (columns < 1) columns = 1;
-    if (wanted < 1) return CURVE_HIGH;
-    int lines = (wanted + columns - 1) / columns;
-    float each = high / (float)lines - CURVE_GAP;
-    return each > CURVE_HIGH ? CURVE_HIGH : each < CURVE_LOW ? CURVE_LOW : each;
+    int n = 0;
+    for (int i = 0; i < wfPlotCount; i++) n += (int)(rows >> i & 1);
+    return n > 0 ? n : 1;
 }
 
-void game_draw_curves(ui *u, const game *g)
+static curve_rows rows_of_curves(const game *g)
 {
     const game_state *s = g->state;
-    float head = s->height - s->head - (game_has_panes(s) ? 26 : 8), top = head;
-    float left = s->camera.left / s->scale + 8;
-    float high = curve_height(s, s->width - game_beside(s) - left, head - FOOT - 24);
+    camera c = s->camera;
+    game_free_part(g, &c);
+    bool panes = game_has_panes(s);
+    float k = s->scale, w = c.wide / k, h = c.high / k, shape = c.shape > 0 ? c.shape : 1.59f;
+    float above = panes ? 0 : h - w / shape, beside = panes ? 0 : w - h * shape;
+    curve_rows r = { .left = c.left / k + 8, .top = c.top / k + (panes ? 26 : 8),
+                     .strip = s->finger ? 36 : 22 };
+    r.wide = CURVE_WIDE + r.strip < w - 16 ? CURVE_WIDE + r.strip : w - 16;
+    float each = r.wide + CURVE_GAP;
+    int wanted = count_curves(game_curves(s)), across = w > 2 * each ? (int)(w / each) : 1;
+    int lines = (wanted + across - 1) / across;
+    bool upright = s->height > s->width;
+    if (across < 2 && upright && !panes && above < h / 2) above = h / 2;
+    r.down = above < 16 + CURVE_LOW ||
+             (across > 1 && above < 8 + (float)lines * (CURVE_LOW + CURVE_GAP));
+    float room = r.down ? h - (panes ? 32 : 14) : above - 8;
+    r.high = room / (float)lines - CURVE_GAP;
+    r.high = r.high > CURVE_HIGH ? CURVE_HIGH : r.high < CURVE_LOW ? CURVE_LOW : r.high;
+    int fit = (int)((room + 1) / (r.high + CURVE_GAP));
+    r.in_line = r.down ? fit > 1 ? fit : 1 : across;
+    int columns = (wanted + r.in_line - 1) / r.in_line, free = (int)((beside - 8) / each);
+    float need = (float)lines * (r.high + CURVE_GAP) + 8;
+    if (!r.down) r.spare = need < above ? need : above;
+    else if (free > 0) r.spare = (float)(columns < free ? columns : free) * each + 8;
+    return r;
+}
+
+void game_spare_curves(const game *g, camera *c)
+{
+    curve_rows r = rows_of_curves(g);
+    float px = r.spare * g->state->scale;
+    *(r.down ? &c->left : &c->top) += px;
+    *(r.down ? &c->wide : &c->high) -= px;
+}
+
+/* The strip at the right of a curve. Was it pressed? */
+static bool press_cross(ui *u, const game_state *s, int row, float x, float y, float w,
+                        float h)
+{
+    char name[GAME_NAME_SIZE];
+    float middle = x + w / 2, up = u->height - y - w / 2;
+    bool covered = s->panel && x + w > u->width - SETTINGS_WIDTH && y + h > game_panel_top(s);
+    snprintf(name, sizeof name, "close %s", wfPlotTable[row].name);
+    ui_box(u, x, y, w, h, ui_inside(u, x, y, w, h) ? WF_INK_ACCENT : WF_INK_FAINT,
+           WF_INK_PAPER);
+    for (int way = -1; way <= 1 && u->draw; way += 2)
+        wfDrawLine(u->draw, middle - 4, up - 4 * (float)way, middle + 4, up + 4 * (float)way,
+                   1.5f, WF_INK_TEXT);
+    return !covered && ui_area(u, name, x, y, w, h);
+}
+
+void game_draw_curves(ui *u, game *g)
+{
+    game_state *s = g->state;
+    uint32_t shown = game_curves(s);
+    curve_rows r = rows_of_curves(g);
+    float wide = r.wide - r.strip;
     if (game_has_panes(s))
-        ui_text(u, left, s->height - head - 8, 13, WF_INK_ACCENT, -1,
-                "as in the panel World");
-    for (int i = 0; i < wfPlotCount && u->draw; i++) {
-        if (!(s->curves >> i & 1)) continue;
-        if (top - high < FOOT + 24 - 1) {
-            left += CURVE_WIDE + CURVE_GAP;
-            top = head;
-        }
-        wfDrawPlot(u->draw, i, &s->plots, left, top - high, CURVE_WIDE, high);
-        top -= high + CURVE_GAP;
+        ui_text(u, r.left, r.top - 8, 13, WF_INK_ACCENT, -1, "as in the panel World");
+    for (int i = 0, n = 0; i < wfPlotCount; i++) {
+        if (!(shown >> i & 1)) continue;
+        float along = (float)(n % r.in_line), other = (float)(n / r.in_line);
+        float x = r.left + (r.down ? other : along) * (r.wide + CURVE_GAP);
+        float y = r.top + (r.down ? along : other) * (r.high + CURVE_GAP);
+        if (n++ > 0 && x + r.wide > s->width) continue;
+        if (u->draw)
+            wfDrawPlot(u->draw, i, &s->plots, x, u->height - y - r.high, wide, r.high);
+        u->over |= ui_inside(u, x, y, r.wide, r.high);
+        if (press_cross(u, s, i, x + wide, y, r.strip, r.high)) turn_curve(s, i);
     }
 }
 

@@ -66,7 +66,10 @@ bool game_body_numbers(const game *g, wfBodyId id, wfBodyInfo *b, double out[BOD
 uint32_t game_needs_now(const game *g);
 void game_file_key(game *g, int32_t key);               /* does what the key is for */
 void game_settings_panel(ui *u, game *g);
-void game_draw_curves(ui *u, const game *g);
+WF_APART void game_draw_curves(ui *u, game *g);
+WF_APART void game_spare_curves(const game *g, camera *c);      /* leaves them their part */
+uint32_t game_curves(const game_state *s);              /* all that are shown */
+void game_free_part(const game *g, camera *c);          /* the world's and the curves' */
 void game_draw_legend(ui *u, const game *g, float x);
 void game_time_bar(ui *u, game *g);
 /* controls */

@@ -94,7 +94,7 @@ static wfResult take_step(game *g)
 {
     game_state *s = g->state;
     wfStepClock clock = { game_clock, g, s->seconds };
-    bool asked = s->panel || (s->curves >> WF_PLOT_STAGES & 1);
+    bool asked = s->panel || ((s->curves | s->lent) >> WF_PLOT_STAGES & 1);
     bool timed = g->now && asked && g->scene->hooks == NULL && wfStageCount <= STAGES;
     g->staged = false;
     if (g->noted) return wfStepNoted(&g->world, &g->journal, g->scene->hooks);

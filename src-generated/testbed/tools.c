@@ -820,7 +820,7 @@ static void add_bar(tool_work *w)
     if (result == WF_OK) result = add_body(w, &def, &id);
     in.index = id.index;
     in.generation = id.generation;
-    in.shape.density = 40 / (2 * bar_half);
+    in.shape.density = m->heavy ? 40 / (2 * bar_half) : stuff[m->choice[TOOL_STUFF]].density;
     in.shape.filter.group = -1;
     if (result == WF_OK) result = tool_give(w, WF_MODULE_SHAPES, &in, NULL);
     for (int i = 0; i < 2 && result == WF_OK; i++) {
@@ -828,8 +828,10 @@ static void add_bar(tool_work *w)
         if (!other.index) continue;
         result = join(w, wfFindJoint("revolute"), id, other, end[i], end[i]);
     }
-    say(m, result, result ? "no bar" : "a bar of %.2f m",
-        (double)wfLength(wfSub(end[1], end[0])));
+    wfBodyInfo made = { .mass = 0 };
+    wfGetBody(w->world, id, &made);
+    say(m, result, result ? "no bar" : "a bar of %.2f m, %.3g kg",
+        (double)wfLength(wfSub(end[1], end[0])), (double)made.mass);
 }
 
 static void draw_bar(const tool_work *w, wfDraw *d)
@@ -865,8 +867,8 @@ const tool_row toolTable[] = {
       nothing, nothing, draw_probe },
     { "Kick", "press on a body, pull, let go: an impulse", ';', 0, nothing, nothing,
       give_kick, draw_kick },
-    { "Bar", "press, pull, let go: a bar, pinned at its ends to what is there", ':', 0,
-      nothing, nothing, add_bar, draw_bar },
+    { "Bar", "press, pull, let go: a bar, pinned at its ends to what is there", ':',
+      1 << TOOL_STUFF, nothing, nothing, add_bar, draw_bar },
 };
 const int toolCount = (int)(sizeof toolTable / sizeof *toolTable);
 #define NAMES(list) list, (int32_t)(sizeof list / sizeof *list)

@@ -10,6 +10,7 @@ tool_work game_tools_of(game *g)
     game_state *s = g->state;
     s->tools.unit = (wfReal)(s->scale / camera_scale(&s->camera));
     s->tools.reach = (s->finger ? 20 : 4) * s->tools.unit;
+    s->tools.heavy = s->challenge;
     return (tool_work){ &s->tools, &g->world, g->noted, &g->scratch, game_make_room, g,
                         game_begin_edit };
 }
