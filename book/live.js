@@ -414,6 +414,7 @@
       stop() { on = false; },
       running: () => on,
     };
+    if (options.whole) addEventListener('beforeunload', e => { if (quietly(x => x.web_work(), () => 0)) e.preventDefault(); });
     new ResizeObserver(wakeUp).observe(canvas);
     new MutationObserver(wakeUp).observe(document.documentElement, { attributes: true, attributeFilter: ['data-theme'] });
     canvas.game = game;

@@ -243,16 +243,35 @@ bool game_hint_is_low(const game_state *s)
     return s->hint && (s->height < LOW || game_has_panes(s));
 }
 
-static bool sees_nothing(const game *g)
+/* Is any of a body within these edges: left, bottom, right, top? */
+static bool is_seen(const wfBodyView *v, int32_t i, const float edge[4])
+{
+    wfVec2 p = v->state[i].p;
+    wfVec2 q = wfV2(wfClamp(p.x, (wfReal)edge[0], (wfReal)edge[2]),
+                    wfClamp(p.y, (wfReal)edge[1], (wfReal)edge[3]));
+    int32_t k = v->props[i].shape;
+    return wfLength(wfSub(p, q)) <= (k < 0 ? 0 : wfShapeMaxExtent(&v->shapes[k]));
+}
+
+/* What there is to say about a picture without its bodies, or whose scene is over; or NULL. */
+static const char *why_empty(const game *g)
 {
     wfBodyView v = wfWorldBodies(&g->world);
-    bool any = false;
+    camera home = game_home(g);
+    float now[4], at_home[4];
+    int all = 0, seen = 0, left = 0;
+    game_find_seen(&g->state->camera, now);
+    game_find_seen(&home, at_home);
     for (int32_t i = 0; i < v.count; i++) {
         if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
-        if (camera_sees(&g->state->camera, WF_XY(v.state[i].p))) return false;
-        any = true;
+        bool here = is_seen(&v, i, now);
+        all++;
+        seen += here;
+        left += !here && !is_seen(&v, i, at_home);
     }
-    return any;
+    bool goes_along = g->scene->follow || g->state->challenge || g->scene->points;
+    if (2 * left > all && !goes_along) return "most has left: Reset brings it back";
+    return all && !seen ? "nothing is in view: Home brings it back" : NULL;
 }
 
 /* What the last line says, and whether in full although it takes two. */
@@ -266,8 +285,9 @@ static bool last_words(const game *g, char line[200], int *ink)
     if (m->said[0]) return true;
     snprintf(line, 200, "%s: %s", toolTable[m->tool].name, toolTable[m->tool].text);
     if (m->tool) return true;
-    if (sees_nothing(g)) {
-        snprintf(line, 200, "%s", "nothing is in view: Home brings it back");
+    const char *why = why_empty(g);
+    if (why) {
+        snprintf(line, 200, "%s", why);
         return false;
     }
     if (game_hint_is_low(s)) *ink = WF_INK_ACCENT;

@@ -179,8 +179,7 @@ static void begin_again(game *g)
 {
     game_state *s = g->state;
     wfBodyView v = wfWorldBodies(&g->world);
-    camera home = { .x = (float)g->scene->viewX, .y = (float)g->scene->viewY,
-                    .height = (float)g->scene->viewHeight };
+    camera home = game_home(g);
     bool any = false, runs = g->input->steps < 0 && !s->paused;
     bool left = runs && !s->ends && !game_was_changed(s) && !g->scene->points;
     for (int32_t i = 0; i < v.count && left; i++) {
@@ -349,6 +348,12 @@ bool game_wants_letters(const game_memory *memory)
 {
     const game_state *s = memory->permanent;
     return s->begun && s->size == sizeof *s && (s->ui.typing || s->ui.edits);
+}
+
+bool game_has_work(const game_memory *memory)
+{
+    const game_state *s = memory->permanent;
+    return s->begun && s->size == sizeof *s && game_was_changed(s);
 }
 
 bool game_knows_scene(const char *name)

@@ -183,6 +183,7 @@ int game_scene_count(const game *g);
 const wfScene *game_scene_at(const game *g, int row);
 void game_tell(game *g, bool refused, const char *what);    /* on the last line */
 /* the world */
+camera game_home(const game *g);
 void game_look_home(game *g);
 void game_show_overlays(game *g);
 void game_press_overlay(game *g, uint32_t bit);

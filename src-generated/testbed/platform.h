@@ -124,6 +124,9 @@ bool game_set(game_memory *memory, const char *name, double value);
    that the user has changed. Returns the length, as game_describe does. */
 size_t game_link(game_memory *memory, char *text, size_t size);
 
+/* Has the user changed the scene's world? A page asks before it goes then. */
+bool game_has_work(const game_memory *memory);
+
 /* Does the user type letters or a number? A page raises a keyboard for a finger then. */
 bool game_wants_letters(const game_memory *memory);
 

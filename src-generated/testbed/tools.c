@@ -428,7 +428,8 @@ static void complete_joint(const tool_work *w, const char *kind, wfJoint *j, wfV
     wfReal i = v.state[j->b].invInertia > 0 ? 1 / v.state[j->b].invInertia : 1;
     wfReal up = wfMaxR(wfLength(wfSub(to, from)), 40 * w->memory->unit);
     if (strcmp(kind, "pulley") == 0) {
-        wfReal top = wfMaxR(from.y, to.y) + up;
+        wfReal low = wfMaxR(from.y, to.y), top = wfMinR(low + up, w->memory->top - up / 8);
+        top = wfMaxR(top, low + up / 8);
         j->groundA = wfV2(from.x, top);
         j->groundB = wfV2(to.x, top);
         j->rest = 2 * top - from.y - to.y;

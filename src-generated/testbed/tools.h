@@ -17,6 +17,7 @@ typedef struct tool_memory {
     wfVec2  from, at;               /* m: where it went down; where the mouse is */
     wfReal  unit;                   /* m: an interface unit, as it is zoomed now */
     wfReal  reach;                  /* m: how far beside a body a press still hits it */
+    wfReal  top;                    /* m: the upper edge of what is seen */
     int32_t heavy;                  /* bars are of steel, whatever is chosen */
     wfBodyId body;                  /* what lay under `from'; index 0: nothing */
     int32_t points;                 /* of what is drawn by hand, m */

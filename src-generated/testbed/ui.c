@@ -258,7 +258,7 @@ bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
     return ui_area(u, name, x, y, w, 19);
 }
 
-float ui_row_high(const ui *u) { return u->finger ? 28 : 19; }
+float ui_row_high(const ui *u) { return u->finger ? 30 : 19; }
 
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
@@ -369,6 +369,12 @@ static void draw_number(ui *u, const char *name, float x, float y, float w, doub
     if (r.most - r.least < 1e4 && r.most > r.least) {
         float part = (float)((value - r.least) / (r.most - r.least));
         ui_box(u, x + w - 91, y + UI_LINE - 5, 90 * part, 2, WF_INK_NONE, WF_INK_BODY);
+    }
+    for (int way = -1; way <= 1 && u->draw && u->memory->edits != id_of(name); way += 2) {
+        float at = x + w - 84 + 4 * (float)way, up = u->height - y - 11;
+        float tip[] = { at - 2 * (float)way, up + 4, at - 2 * (float)way, up - 4,
+                        at + 2 * (float)way, up };              /* it can be pulled */
+        wfDrawPolygon(u->draw, tip, 3, 0, WF_INK_NONE, WF_INK_LINE);
     }
     ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1,
             ui_words(name, words));
