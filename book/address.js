@@ -72,7 +72,7 @@
       for (let i = 0; i < 4; i++) game.frame(0, 0);    // its settings may be on the card
       game.key(97);                                    // A: load
       for (let i = 0; i < 4; i++) game.frame(0, 0);
-    } catch (e) { linked = null; }
+    } catch (e) { linked = null; say('!this link is damaged: its world can\'t be read'); }
   };
   // another scene is a step of the page's history, another setting is not
   const sceneOf = text => text.replace(/&.*/, '');

@@ -235,7 +235,7 @@ TEST(a_finger_types_numbers_and_sees_what_it_chooses)
     play_end(&p);
 }
 
-/* Rows and buttons for fingers are as high as there is room for: 28 and 30 units of 1.25. */
+/* Rows and buttons for fingers are as high as there is room for: 30 units of 1.25, 36 pixels and more. */
 TEST(a_finger_hits_what_it_is_for)
 {
     play p;
@@ -247,7 +247,7 @@ TEST(a_finger_hits_what_it_is_for)
     assert_near(play_fact(&p, "paused", 0), 1, 0);
     state_of(&p)->list = 1;
     play_run(&p, "finger 1\nsteps 0\nframe\nframe\n");
-    assert_true(play_fact(&p, "widget pyramid pixel", 1) - play_fact(&p, "widget stack of boxes pixel", 1) > 27 * 2.5);
+    assert_true(play_fact(&p, "widget pyramid pixel", 1) - play_fact(&p, "widget stack of boxes pixel", 1) >= 72);
     play_end(&p);
 }
 
@@ -430,5 +430,106 @@ TEST(a_bar_says_what_it_weighs)
     double kg = 0, metres = 0;
     assert_int_equal(sscanf(play_line(&p, "said"), "said a bar of %lf m, %lf kg", &metres, &kg), 2);
     assert_near(kg, 0.16 * (metres + 0.16), 0.01);
+    play_end(&p);
+}
+
+/* What is joined is seen to be: between two discs that are apart, any kind of joint draws something half-way; a pulley's wheels are in view. */
+TEST(a_joint_is_seen_between_its_bodies)
+{
+    static uint8_t memory[4 << 20];
+    for (int row = 0; row < wfJointKinds + 3; row++) {
+        play p;
+        game g;
+        wfDraw d;
+        float view[4];
+        begin(&p, 1100, 700, 1, "steps 0\nscene empty-ground\nframe\nframe\n");
+        play_click(&p, "Place");
+        press(&p, 450, 250, 480, 250);
+        press(&p, 850, 250, 880, 250);
+        play_click(&p, "Connect");
+        state_of(&p)->tools.choice[TOOL_JOINT] = row;
+        press(&p, 450, 250, 850, 250);
+        const char *kind = tool_choice_name(&toolChoices[TOOL_JOINT], row);
+        if (!strstr(p.text, "said joined: ")) fail_msg("%s: %s", kind, p.text);
+        game_begin_call(&g, &p.memory, &p.in);
+        wfDrawInit(&d, memory, sizeof memory);
+        camera_window(&state_of(&p)->camera, 1100, 700, view);
+        state_of(&p)->tools.count = 0;
+        game_list_world(&g, &d, view);
+        bool seen = false, high = true;
+        for (int i = 0; i < d.count; i++) {
+            const wfDrawCommand *c = wfDrawAt(&d, i);
+            if (c->kind == WF_DRAW_TEXT) continue;
+            float least = 1e9f, most = -1e9f;
+            for (int k = 0; k < c->count; k++) {
+                float at[2];
+                camera_see(&state_of(&p)->camera, wfDrawPoints(&d, c)[2 * k], wfDrawPoints(&d, c)[2 * k + 1], at);
+                if (at[1] > 500) least = 1e9f, most = -1e9f, k = c->count;      /* the ground */
+                else least = fminf(least, at[0]), most = fmaxf(most, at[0]);
+                if (at[1] < state_of(&p)->camera.top) high = false;
+            }
+            seen |= least < 660 && most > 640;
+        }
+        if (!seen) fail_msg("%s: nothing is drawn between the two", kind);
+        if (!high) fail_msg("%s goes out of the picture", kind);
+        play_end(&p);
+    }
+}
+
+/* Pause and Play have the same room, so nothing moves from under a finger; Size begins with larger; a finger that rests on a body for its menu leaves it where it is. */
+TEST(fingers_find_things_where_they_were)
+{
+    play p;
+    begin(&p, 780, 1500, 2, "finger 1\nsteps 1\nscene tower\nwait 120\n");
+    double x = play_fact(&p, "widget Undo pixel", 0), y = play_fact(&p, "widget Undo pixel", 1);
+    tap(&p, play_fact(&p, "widget Pause pixel", 0), play_fact(&p, "widget Pause pixel", 1));
+    assert_near(play_fact(&p, "paused", 0), 1, 0);
+    assert_near(play_fact(&p, "widget Undo pixel", 0), x, 0);
+    assert_near(play_fact(&p, "widget Undo pixel", 1), y, 0);
+    tap(&p, play_fact(&p, "widget Play pixel", 0), play_fact(&p, "widget Play pixel", 1));
+    float scale = state_of(&p)->scale;
+    tap(&p, play_fact(&p, "widget Size pixel", 0), play_fact(&p, "widget Size pixel", 1));
+    assert_true(state_of(&p)->scale > scale);
+    state_of(&p)->letters = 0;
+    play_run(&p, "finger 1\nsteps 0\nframe\nframe\n");
+    play q;
+    begin(&q, 780, 1500, 2, "finger 1\nsteps 1\nscene tower\nwait 120\nsteps 0\nframe\nframe\n");
+    char script[160];
+    snprintf(script, sizeof script, "finger 1\nsteps 1\nseconds 0.0166\nmove %g %g\ndown left\nwait 45\nup left\nframe\n", play_fact(&q, "body 10 x", 2) + 6, play_fact(&q, "body 10 x", 3));
+    double was = play_fact(&q, "body 10 x", 0);
+    play_run(&q, script);
+    assert_near(play_fact(&q, "menu", 0), 1, 0);
+    assert_near(play_fact(&q, "body 10 x", 0), was, 2e-3);
+    play_end(&q);
+    play_end(&p);
+}
+
+/* A challenge begins with the hand, or with its own tool. */
+TEST(a_challenge_takes_the_tool_of_another_away)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene challenge=wall\nframe\nframe\n");
+    press_button(&p, "Use Kick");
+    assert_true(play_says(&p, "tool Kick"));
+    play_run(&p, "steps 0\nscene challenge=tower\nframe\nframe\n");
+    assert_true(play_says(&p, "tool Hand"));
+    play_end(&p);
+}
+
+/* A world that its scene can't be built without gets what is missing; the list shows what runs. */
+TEST(needs_that_are_missing_are_told_in_words)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene tumbler\nframe\nkey s\nframe\nframe\n");
+    state_of(&p)->modules = wfCloseModules(WF_MODULE_CONTACTS);
+    play_run(&p, "steps 0\nkey r\nframe\nframe\n");
+    assert_true(strncmp(state_of(&p)->tools.said, "this scene can't do without ", 28) == 0);
+    assert_non_null(strstr(state_of(&p)->tools.said, "friction"));
+    assert_null(strstr(state_of(&p)->tools.said, "WF_"));
+    uint32_t runs = (uint32_t)play_fact(&p, "needs", 0);
+    assert_int_equal(state_of(&p)->wished, 0);                          /* so the list shows what runs */
+    assert_true((runs & WF_MODULE_FRICTION) && !(runs & WF_MODULE_QUERIES));
+    play_run(&p, "steps 1\nwait 20\n");
+    assert_near(play_fact(&p, "steps", 0), 20, 0);
     play_end(&p);
 }

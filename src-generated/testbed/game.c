@@ -17,7 +17,7 @@ static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
     float x = game_list_side(s) + 16, mouse = u->x;
-    bar b = { x, s->width - 8, x, 10, s->height < LOW };
+    bar b = { x, s->width - 8, x, 10, s->height < LOW, 0 };
     if (s->bare) {
         s->head = 0;
         if (s->opened && game_drives_any(g)) game_controls(u, g);

@@ -57,10 +57,10 @@ WF_APART static void open_with_modules(game *g)
         }
     }
     s->tools.refused = said[0] != 0;
-    s->wished = s->modules;
+    s->wished = 0;                      /* ticked is what runs */
     if (s->result == WF_OK) return;
     snprintf(said, sizeof s->tools.said, "this scene can't be built with these needs alone");
-    s->modules = s->wished = 0;
+    s->modules = 0;
     s->result = wfOpenScene(g->scene, &g->memory, &g->world);
 }
 

@@ -16,8 +16,13 @@ typedef struct button_row {
 } button_row;
 
 #define FLAG(field) offsetof(game_state, field)
+
 /* Where the next button of a bar goes: from left to right, and then a row lower. */
-typedef struct bar { float left, right, x, y; bool terse; } bar;   /* terse: icons alone */
+typedef struct bar {
+    float left, right, x, y;
+    bool terse;                         /* icons alone */
+    float least;                        /* the width of the next, at least */
+} bar;
 enum { B_MASS, B_DENSITY, B_BOUNCE, B_FRICTION, B_DRAG, B_SPIN_DRAG, B_VX, B_VY, B_SPIN,
        BODY_LINES };
 /* files: the card is at home; it is sent; what came with it is taken */

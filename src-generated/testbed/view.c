@@ -364,12 +364,14 @@ static wfReal reach_of(const wfBodyView *v, int32_t i)
 static void draw_ties(wfDraw *d, const SeenJoint *s, const wfBodyView *v)
 {
     wfReal a = reach_of(v, s->j.a), b = reach_of(v, s->j.b);
-    bool turns = look_of(s) == see_turning;
+    bool turns = look_of(s) == see_turning, hand = look_of(s) == see_hand;
     if (s->j.flags & WF_JOINT_BROKEN) return;
     if (!turns && wfLength(wfSub(s->from, s->a.p)) > a)
         wfDrawDashed(d, WF_XY(s->from), WF_XY(s->a.p), 1, WF_INK_LINE);
     if (!turns && wfLength(wfSub(s->to, s->b.p)) > b)
         wfDrawDashed(d, WF_XY(s->to), WF_XY(s->b.p), 1, WF_INK_LINE);
+    if (hand && a < WF_R(1e20))
+        wfDrawDashed(d, WF_XY(s->from), WF_XY(s->to), 1, WF_INK_LINE);
     if (turns && !s->full && wfLength(wfSub(s->b.p, s->a.p)) > a + b)
         wfDrawDashed(d, WF_XY(s->a.p), WF_XY(s->b.p), 1, WF_INK_LINE);
 }
