@@ -533,3 +533,22 @@ TEST(needs_that_are_missing_are_told_in_words)
     assert_near(play_fact(&p, "steps", 0), 20, 0);
     play_end(&p);
 }
+
+/* Reset says that it keeps what was set; a telephone that is turned shows the whole scene again. */
+TEST(reset_and_a_turn_of_the_telephone)
+{
+    play p;
+    begin(&p, 1100, 700, 1, "steps 0\nscene shapes\nframe\nframe\n");
+    assert_true(game_set(&p.memory, "gravity.y", 5));
+    play_run(&p, "steps 0\nkey r\nframe\nframe\n");
+    assert_non_null(strstr(state_of(&p)->tools.said, "your settings stay"));
+    play_end(&p);
+    begin(&p, 780, 1500, 2, "finger 1\nsteps 0\nscene stack-of-boxes\nframe\nframe\n");
+    double x = play_fact(&p, "view", 0);
+    play_run(&p, "finger 1\nsteps 0\npan 100 0\nframe\nframe\n");
+    assert_true(fabs(play_fact(&p, "view", 0) - x) > 0.1);
+    p.buffer.width = 1500, p.buffer.height = 780, p.buffer.pitch = 1500;
+    play_run(&p, "finger 1\nsteps 0\nframe\nframe\n");
+    assert_near(play_fact(&p, "view", 0), x, 0);
+    play_end(&p);
+}

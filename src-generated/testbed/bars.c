@@ -156,7 +156,13 @@ void game_list_panel(ui *u, game *g)
 }
 
 static void press_step(game *g) { g->state->paused = g->state->single = 1; }
-static void press_reset(game *g) { game_open_scene(g, g->state->row); }
+static void press_reset(game *g)
+{
+    game_open_scene(g, g->state->row);
+    if (memchr(g->state->changed, 1, sizeof g->state->changed))
+        game_tell(g, false, "your settings stay (the page World takes them back); Undo brings "
+                            "back the rest");
+}
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
 static void press_next(game *g) { game_open_scene(g, g->state->row + 1); }
 static void press_size(game *g)

@@ -234,6 +234,8 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_take_answer(&g);
     fold_panels(s);
     if (!s->bar && !s->bare && s->tools.tool) game_choose_tool(&g, 0);
+    bool turned = s->finger && (s->seen_width > s->seen_height) != (s->width > s->height);
+    if (turned && s->opened && s->seen_width > 0) game_look_home(&g);
     if (input->scene[0]) open_by_name(&g, input->scene);
     bool bad = memory->news && memory->news[0] == '!';
     if (memory->news) game_tell(&g, bad, memory->news + bad);
