@@ -252,6 +252,26 @@ TEST(test_bad_input)
     assert_ok(wfCountExact(joint, joints, state, bodies, &pool, &c));
 }
 
+/* What is counted is enough, to the byte: few joints in a crowd of bodies, many joints on few, loops. */
+TEST(scratch_is_enough)
+{
+    static uint8_t alone[MOST];
+    for (int n = 0; n < 60; n++) {
+        begin();
+        int crowd = n % 3 == 0 ? MOST - 1 : 1 + (int)number(1, 200), links = 1 + (int)number(0, n % 3 == 0 ? 4 : 400);
+        for (int i = 1; i <= crowd; i++) add_body(i, 0, 1);
+        for (int i = 0; i < links; i++) {
+            int a = (int)number(0, crowd + 1), b = (int)number(0, crowd + 1);
+            tie(i % 2 ? "revolute" : "weld", a, a == b ? (a + 1) % (crowd + 1) : b);
+        }
+        wfJointSet set = { .joints = joint, .count = joints, .period = WF_JOINT_PERIOD };
+        wfSolve in = { .state = state, .bodyCount = bodies };
+        wfPoolInit(&pool, wfExactScratch(bodies, joints), memory);
+        assert_ok(wfDirectArticulations(&set, &in, WF_EXACT_CHEAP, alone, false, &pool));
+        assert_true(wfPoolRoom(&pool) <= wfExactScratch(0, 0) + 2 * sizeof(int32_t) * (size_t)bodies);     /* and it is not much too much */
+    }
+}
+
 static double energy_of(void)
 {
     double e = 0;

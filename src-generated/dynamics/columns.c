@@ -126,7 +126,8 @@ static bool close_loops(Search *q, int32_t root)
     }
     if (q->loops > 0) t->linked = true;
     t->limb[root].links = t->count;
-    t->limb[root].given_up = t->limb[root].made[0] = t->limb[root].made[1] = false;
+    t->limb[root].given_up = false;
+    t->limb[root].stale[0] = t->limb[root].stale[1] = t->count - 1 - root;
     t->limb[root].state = LIMB_FAILS;
     t->limb[root].answers = t->answers;
     t->answers += ANSWERS(3 * q->loops);
@@ -274,6 +275,7 @@ static void make_rows(const wfSubsteps *s, wfLimb *l)
     const wfPrepared *c = &s->c[l->contact];
     const wfPreparedPoint *p = c->p, *one = &c->p[l->points == 2];
     l->rows = 0;
+    memset(l->up, 0, sizeof l->up), memset(l->down, 0, sizeof l->down);
     if (l->points == 3) {                                       /* eq:soft-mean */
         wfReal ease = 1 / p[0].massN + 1 / p[1].massN;
         add_row(l, c->n, (p[0].nA + p[1].nA) / 2, (p[0].nB + p[1].nB) / 2, ease / 4);
@@ -300,6 +302,7 @@ static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
     wfReal e[2], *wrong = l->wave.wrong;
     memset(l->wave.load, 0, sizeof l->wave.load);
     memset(l->wave.push, 0, sizeof l->wave.push);
+    memset(wrong, 0, sizeof l->wave.wrong);
     if (l->points == 0) return;
     for (int32_t k = 0; k < c->count; k++)
         e[k] = what_is_wrong(s, law, &p[k], wfNormalRate(&m, &p[k]));
@@ -354,50 +357,62 @@ static void add3(wfReal to[3], wfReal share, const wfReal v[3])
     to[0] += share * v[0], to[1] += share * v[1], to[2] += share * v[2];
 }
 
-static bool fold(const wfLimb *l, wfFold *f, wfFold *below, wfReal gamma)
+/* m v, for a matrix of three rows of three */
+static inline void times3(const wfReal *m, const wfReal v[3], wfReal out[3])
+{
+    out[0] = dot3(m, v), out[1] = dot3(m + 3, v), out[2] = dot3(m + 6, v);
+}
+
+/* to + m^T share */
+static void sum3(wfReal to[3], const wfReal share[3], const wfReal *m)
+{
+    add3(to, share[0], m), add3(to, share[1], m + 3), add3(to, share[2], m + 6);
+}
+
+static bool fold(const wfLimb *l, wfFold *f, wfReal gamma)
 {
     if (!ease_mass(f->mass)) return false;
+    memset(f->hold, 0, sizeof f->hold);
     for (int32_t i = 0; i < l->rows; i++) {
         wfReal eased[3], *S = f->hold[i];
-        for (int32_t k = 0; k < 3; k++) eased[k] = dot3(f->mass[k], l->up[i]);
+        times3(*f->mass, l->up[i], eased);
         for (int32_t j = 0; j < i; j++) S[j] = f->hold[j][i] = dot3(eased, l->up[j]);
         S[i] = dot3(eased, l->up[i]) * (1 + 4 * WF_EPSILON) + gamma * l->ease[i];
     }
-    if (!invert(l->rows, f->hold)) return false;
-    for (int32_t i = 0; below != NULL && i < l->rows; i++) {    /* eq:soft-fold */
+    return invert(l->rows, f->hold);
+}
+
+static void hand_down(const wfLimb *l, const wfFold *f, wfFold *below)
+{
+    for (int32_t i = 0; i < l->rows; i++) {                     /* eq:soft-fold */
         wfReal held[3] = { 0, 0, 0 };
-        for (int32_t j = 0; j < l->rows; j++) add3(held, f->hold[i][j], l->down[j]);
-        for (int32_t k = 0; k < 3; k++) add3(below->mass[k], l->down[i][k], held);
+        sum3(held, f->hold[i], *l->down);
+        add3(below->mass[0], l->down[i][0], held);
+        add3(below->mass[1], l->down[i][1], held);
+        add3(below->mass[2], l->down[i][2], held);
     }
-    return true;
 }
 
 static void carry_down(const wfLimb *l, const wfFold *f, wfWave *w, wfWave *below)
 {
-    wfReal eased[3];
-    for (int32_t k = 0; k < 3; k++) eased[k] = dot3(f->mass[k], w->load);
-    for (int32_t i = 0; i < l->rows; i++)
-        w->wrong[i] += dot3(l->up[i], eased);                   /* eq:soft-limb-impulse */
-    for (int32_t i = 0; below != NULL && i < l->rows; i++) {
-        wfReal held = 0;
-        for (int32_t j = 0; j < l->rows; j++) held += f->hold[i][j] * w->wrong[j];
-        add3(below->load, held, l->down[i]);                    /* eq:soft-fold */
-    }
+    wfReal eased[3], more[3], held[3];
+    times3(*f->mass, w->load, eased);
+    times3(*l->up, eased, more);
+    add3(w->wrong, 1, more);                                    /* eq:soft-limb-impulse */
+    if (below == NULL) return;
+    times3(*f->hold, w->wrong, held);
+    sum3(below->load, held, *l->down);                          /* eq:soft-fold */
 }
 
 static void carry_up(const wfLimb *l, const wfFold *f, wfWave *w, const wfWave *below)
 {
     static const wfReal still[3] = { 0, 0, 0 };
-    const wfReal *under = below == NULL ? still : below->gain;
     wfReal lack[3], force[3] = { w->load[0], w->load[1], w->load[2] };
-    for (int32_t i = 0; i < l->rows; i++) lack[i] = dot3(l->down[i], under) - w->wrong[i];
-    for (int32_t i = 0; i < l->rows; i++) {                     /* eq:soft-limb-impulse */
-        wfReal push = 0;
-        for (int32_t j = 0; j < l->rows; j++) push += f->hold[i][j] * lack[j];
-        w->push[i] = push;
-        add3(force, push, l->up[i]);
-    }
-    for (int32_t k = 0; k < 3; k++) w->gain[k] = dot3(f->mass[k], force);
+    times3(*l->down, below == NULL ? still : below->gain, lack);
+    add3(lack, -1, w->wrong);
+    times3(*f->hold, lack, w->push);                            /* eq:soft-limb-impulse */
+    sum3(force, w->push, *l->up);
+    times3(*f->mass, force, w->gain);
 }
 
 /* solve the trees */
@@ -461,6 +476,14 @@ static bool foot_slips(const wfSubsteps *s, const wfLimb *l)
     return wfAbs(tangent) > c->friction * normal;
 }
 
+/* The points of limb l have changed: it and what is under it are folded anew. */
+static void make_stale(wfLimb *root, const wfLimb *l)
+{
+    int32_t at = (int32_t)(l - root);
+    if (root->stale[0] < at) root->stale[0] = at;
+    if (root->stale[1] < at) root->stale[1] = at;
+}
+
 /* known: the points are those that the last sweep has found right */
 static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
 {
@@ -473,7 +496,7 @@ static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
         l->at[k] = c->p[k].normal;
         if (touches || c->p[k].normal > 0) l->points |= 1 << k;
     }
-    if (l->points != was) root->made[0] = root->made[1] = false;
+    if (l->points != was) make_stale(root, l);
 }
 
 static void open_tree(const wfSubsteps *s, wfStacks *t, wfLimb *root, bool known)
@@ -644,22 +667,28 @@ static void let_go(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
 
 static bool make_matrices(const wfSubsteps *s, wfStacks *t, wfLimb *root, int32_t gamma)
 {
-    for (int32_t i = root->root; i < root->links; i++) make_rows(s, &t->limb[i]);
-    for (int32_t i = root->root; i < root->end; i++)
-        begin_mass(s, &t->limb[i], &t->limb[i].trunk->fold[gamma]);
-    for (int32_t i = root->end - 1; i >= root->root; i--) {
-        wfLimb *l = &t->limb[i], *below = below_of(t, l);
-        wfFold *under = below == NULL ? NULL : &below->trunk->fold[gamma];
-        wfFold *own = &l->trunk->fold[gamma];
-        if (!fold(l, own, under, gamma * WF_STACK_COMPLIANCE)) return false;
+    int32_t last = root->root + root->stale[gamma];
+    for (int32_t i = root->root; i <= last; i++) {
+        wfLimb *l = &t->limb[i];
+        make_rows(s, l);
+        if (i < root->end) begin_mass(s, l, &l->trunk->fold[gamma]);
     }
-    root->made[gamma] = root->links == root->end || ask_links(t, root, gamma);
-    return root->made[gamma];
+    for (int32_t i = root->end - 1; i >= root->root; i--) {
+        wfLimb *l = &t->limb[i];
+        wfFold *own = &l->trunk->fold[gamma];
+        if (i <= last && !fold(l, own, gamma * WF_STACK_COMPLIANCE)) return false;
+        if (l->below >= 0 && l->below <= last)
+            hand_down(l, own, &t->limb[l->below].trunk->fold[gamma]);
+    }
+    if (root->links > root->end && !ask_links(t, root, gamma)) return false;
+    root->stale[gamma] = -1;
+    return true;
 }
 
 static bool try_tree(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root)
 {
-    if (!root->made[law->gamma] && !make_matrices(s, t, root, law->gamma)) return false;
+    bool stale = root->stale[law->gamma] >= 0;
+    if (stale && !make_matrices(s, t, root, law->gamma)) return false;
     for (int32_t i = root->root; i < root->links; i++) find_wrong(s, law, &t->limb[i]);
     for (int32_t i = root->root; i < root->links; i++) let_go(s, t, &t->limb[i]);
     run_wave(t, root, law->gamma, false);
@@ -674,9 +703,11 @@ static void try_quickly(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb
         bool right = true;
         if (!try_tree(s, law, t, root)) root->state = LIMB_FAILS;
         for (int32_t i = root->root; i < root->links; i++)
-            if (!points_are_right(s, law, t, &t->limb[i])) right = false;
-        if (!right) root->made[0] = root->made[1] = false;
-        else if (root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
+            if (!points_are_right(s, law, t, &t->limb[i])) {
+                make_stale(root, &t->limb[i]);
+                right = false;
+            }
+        if (right && root->state == LIMB_OPEN) root->state = LIMB_RIGHT;
     }
 }
 
@@ -709,7 +740,7 @@ static bool go_until_one_lets_go(const wfSubsteps *s, const Law *law, wfStacks *
     if (share == 0 && root->came == point_name(t, limb, point)) root->state = LIMB_FAILS;
     limb->at[point] = 0;
     limb->points &= ~(1 << point);
-    root->made[0] = root->made[1] = false;
+    make_stale(root, limb);
     return true;
 }
 
@@ -731,7 +762,7 @@ static bool take_in_worst(const wfSubsteps *s, const Law *law, wfStacks *t,
     if (limb == NULL) return false;
     limb->points |= 1 << point;
     root->came = point_name(t, limb, point);
-    root->made[0] = root->made[1] = false;
+    make_stale(root, limb);
     return true;
 }
 

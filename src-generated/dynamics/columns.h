@@ -35,7 +35,8 @@ typedef struct wfLimb {
     bool    upside;              /* the body is the contact's a */
     bool    given_up;            /* a root with loops: by passes for the rest of the step */
     bool    lands;               /* a root: only its velocities are solved at once */
-    bool    made[2];             /* a root: its matrices are those of `points` */
+    int32_t stale[2];            /* a root: those up to this one, counted from it, have not
+                                  * the matrices of `points`; -1: all have */
     int32_t came;                /* of a root: the point that was taken in last */
     int32_t answers;             /* of a root: where its part of answer[] begins */
     wfReal  up[3][3], down[3][3];           /* J and G */

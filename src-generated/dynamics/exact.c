@@ -1120,8 +1120,7 @@ static void judge(wfMatrix *m, const wfJointSet *set, const wfSolve *in, wfReal 
 }
 
 wfResult wfDirectArticulations(wfJointSet *set, const wfSolve *in, wfReal most,
-                               uint8_t *alone,
-                               bool known, wfPool *scratch)
+                               uint8_t *alone, bool known, wfPool *scratch)
 {
     if (set == NULL || in == NULL || alone == NULL || scratch == NULL) return WF_ERROR_NULL;
     if (set->count == 0) return WF_OK;

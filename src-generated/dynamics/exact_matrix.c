@@ -247,7 +247,7 @@ enum { ARRAYS = sizeof arrays / sizeof *arrays };
 size_t wfExactScratch(int32_t bodies, int32_t joints)
 {
     size_t many[] = { (size_t)joints, (size_t)bodies, (size_t)joints * WF_EXACT_BLOCKS };
-    size_t sum = sizeof(wfMatrix);
+    size_t sum = sizeof(wfMatrix) + 2 * many[BODIES] * sizeof(int32_t);  /* to judge them */
     for (size_t k = 0; k < ARRAYS; k++)
         sum += arrays[k].bytes * many[arrays[k].of] + WF_POOL_ALIGN;
     return sum;

@@ -32,8 +32,7 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch);
    is, is solved joint by joint. alone: [set->count], kept as long as the set; 1: joint by
    joint. known: it has been filled for these joints before. WF_ERROR_NULL, _MEMORY. */
 wfResult wfDirectArticulations(wfJointSet *set, const wfSolve *in, wfReal most,
-                               uint8_t *alone,
-                               bool known, wfPool *scratch);
+                               uint8_t *alone, bool known, wfPool *scratch);
 #define WF_EXACT_ROOM 6             /* blocks that there is room for, a body or contact */
 #define WF_EXACT_TOUCH WF_R(1e-6)   /* eta of eq:exact-target: gaps that count as closed */
 #define WF_EXACT_EAGER 1e-3         /* share of the speeds: a first guess of who touches */
