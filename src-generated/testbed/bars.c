@@ -160,8 +160,8 @@ static void press_reset(game *g)
 {
     game_open_scene(g, g->state->row);
     if (memchr(g->state->changed, 1, sizeof g->state->changed))
-        game_tell(g, false, "your settings stay (the page World takes them back); Undo brings "
-                            "back the rest");
+        game_tell(g, false, "your settings stay (the page World takes them back); "
+                            "Undo brings back the rest");
 }
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
 static void press_next(game *g) { game_open_scene(g, g->state->row + 1); }
@@ -246,7 +246,7 @@ void game_buttons(ui *u, game *g, bar *b)
             game_press_button(g, row);
     }
     b->least = 0;
-    if (g->state->rate != 1 && bar_button(u, b, "Real time", false, "neither slower nor faster"))
+    if (g->state->rate != 1 && bar_button(u, b, "Real time", false, "not slower, not faster"))
         g->state->rate = 1;
     const char *change = g->scene->change;
     if (change && bar_button(u, b, change, false, "the key T does it, too"))
@@ -270,7 +270,7 @@ static bool is_seen(const wfBodyView *v, int32_t i, const float edge[4])
     return wfLength(wfSub(p, q)) <= (k < 0 ? 0 : wfShapeMaxExtent(&v->shapes[k]));
 }
 
-/* What there is to say about a picture without its bodies, or whose scene is over; or NULL. */
+/* What to say about a picture without its bodies, or whose scene is over; or NULL. */
 static const char *why_empty(const game *g)
 {
     wfBodyView v = wfWorldBodies(&g->world);

@@ -16,19 +16,21 @@ static int state_of_try(const game *g, char *line, size_t size)
     bool done = s->trial.verdict == WF_DONE, lost = s->trial.verdict == WF_LOST;
     bool kicks = c->before & WF_MAY(WF_INPUT_IMPULSE);
     bool bodies = c->before & WF_MAY(WF_INPUT_ADD_BODY);
-    const char *what = kicks ? "kicks" : c->with && strcmp(c->with, "Bar") == 0 ? "bars" : "bodies";
+    const char *what = c->with && strcmp(c->with, "Bar") == 0 ? "bars" : "bodies";
     char number[64] = "", count[32] = "";
     int used = wfWorldSteps(&g->world) > 0 ? s->kicks : s->kicks_before;
     snprintf(number, sizeof number, c->number, s->trial.shown);
     if (number[0] == '-' && number[strspn(number, "-0.")] == ' ') number[0] = '+';
     if (bodies) used = (int)wfBodyCount(&g->world) - c->given;
     if (kicks || bodies)
-        snprintf(count, sizeof count, "%s %d of %d   ", what, used, (int)c->most);
+        snprintf(count, sizeof count, "%s %d of %d   ", kicks ? "kicks" : what, used,
+                 (int)c->most);
     if (done) snprintf(line, size, "Done.   %s", number);
     else if (s->foul)
         snprintf(line, size, "This try does not count: %s.", fouls[s->foul]);
     else if (s->trial.unfit)
-        snprintf(line, size, "%sThis try does not count: other things than you have.", count);
+        snprintf(line, size, "%sThis try does not count: other things than you have.",
+                 count);
     else snprintf(line, size, "%s%s%s", lost ? "Not this time.   " : "", count,
                   wfWorldSteps(&g->world) > 0 ? number : "");
     return done ? WF_INK_GOOD : lost || s->foul ? WF_INK_BAD : WF_INK_TEXT;

@@ -43,17 +43,6 @@ void game_free_part(const game *g, camera *c)
     game_spare_controls(g, c);
 }
 
-void game_place_camera(game *g)
-{
-    game_state *s = g->state;
-    camera *c = &s->camera;
-    game_free_part(g, c);
-    if (game_curves(s) && !s->bare) game_spare_curves(g, c);
-    if (c->high < 16) c->high = 16;
-    if (c->wide < 16) c->wide = 16;
-    game_take_pane(s, c);
-}
-
 static void find_mouse(game *g)
 {
     game_state *s = g->state;

@@ -352,12 +352,6 @@ bool game_wants_letters(const game_memory *memory)
     return s->begun && s->size == sizeof *s && (s->ui.typing || s->ui.edits);
 }
 
-bool game_has_work(const game_memory *memory)
-{
-    const game_state *s = memory->permanent;
-    return s->begun && s->size == sizeof *s && game_was_changed(s);
-}
-
 bool game_knows_scene(const char *name)
 {
     return wfFindScene(name) >= 0;

@@ -59,7 +59,7 @@ WF_APART static void open_with_modules(game *g)
     s->tools.refused = said[0] != 0;
     s->wished = 0;                      /* ticked is what runs */
     if (s->result == WF_OK) return;
-    snprintf(said, sizeof s->tools.said, "this scene can't be built with these needs alone");
+    snprintf(said, sizeof s->tools.said, "this scene can't be built with these needs");
     s->modules = 0;
     s->result = wfOpenScene(g->scene, &g->memory, &g->world);
 }

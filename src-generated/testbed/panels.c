@@ -430,7 +430,7 @@ static float modules_panel(ui *u, game *g, float x, float y, float w)
 
 uint32_t game_curves(const game_state *s) { return (uint32_t)(s->curves | s->lent); }
 
-static void turn_curve(game_state *s, int row)
+void game_turn_curve(game_state *s, int row)
 {
     int32_t bit = 1 << row;
     if (s->lent & bit) s->lent &= ~bit;
@@ -618,105 +618,13 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
         snprintf(name, sizeof name, "curve: %s", wfPlotTable[i].name);
         if (!panel_shows(g, line, ROW)) continue;
         if (ui_check(u, name, left, line, w / 2 - 8, game_curves(s) >> i & 1))
-            turn_curve(s, i);
+            game_turn_curve(s, i);
         ui_tip(u, name, wfPlotTable[i].text, left, line, w / 2 - 8, ROW);
     }
     y += (float)((wfPlotCount + 1) / 2 * ROW) + 6;
     if (panel_shows(g, y, 26) && ui_button(u, "Curves as CSV", x, y, w, false))
         press_csv(g);
     return y + 32;
-}
-
-enum { CURVE_WIDE = 268, CURVE_HIGH = 120, CURVE_LOW = 80, CURVE_GAP = 8 };
-
-/* Where the curves stand, units: so many in a line, or in a column; how much of the camera's
- * part is theirs alone, from above or from the left. */
-typedef struct curve_rows {
-    float left, top, wide, high, strip, spare;
-    int in_line;
-    bool down;                          /* they go down first, in columns */
-} curve_rows;
-
-static int count_curves(uint32_t rows)
-{
-    int n = 0;
-    for (int i = 0; i < wfPlotCount; i++) n += (int)(rows >> i & 1);
-    return n > 0 ? n : 1;
-}
-
-static curve_rows rows_of_curves(const game *g)
-{
-    const game_state *s = g->state;
-    camera c = s->camera;
-    game_free_part(g, &c);
-    bool panes = game_has_panes(s);
-    float k = s->scale, w = c.wide / k, h = c.high / k, shape = c.shape > 0 ? c.shape : 1.59f;
-    float above = panes ? 0 : h - w / shape, beside = panes ? 0 : w - h * shape;
-    curve_rows r = { .left = c.left / k + 8, .top = c.top / k + (panes ? 26 : 8),
-                     .strip = s->finger ? 36 : 22 };
-    r.wide = CURVE_WIDE + r.strip < w - 16 ? CURVE_WIDE + r.strip : w - 16;
-    float each = r.wide + CURVE_GAP;
-    int wanted = count_curves(game_curves(s)), across = w > 2 * each ? (int)(w / each) : 1;
-    int lines = (wanted + across - 1) / across;
-    bool upright = s->height > s->width;
-    if (across < 2 && upright && !panes && above < h / 2) above = h / 2;
-    r.down = above < 16 + CURVE_LOW ||
-             (across > 1 && above < 8 + (float)lines * (CURVE_LOW + CURVE_GAP));
-    float room = r.down ? h - (panes ? 32 : 14) : above - 8;
-    r.high = room / (float)lines - CURVE_GAP;
-    r.high = r.high > CURVE_HIGH ? CURVE_HIGH : r.high < CURVE_LOW ? CURVE_LOW : r.high;
-    int fit = (int)((room + 1) / (r.high + CURVE_GAP));
-    r.in_line = r.down ? fit > 1 ? fit : 1 : across;
-    int columns = (wanted + r.in_line - 1) / r.in_line, free = (int)((beside - 8) / each);
-    float need = (float)lines * (r.high + CURVE_GAP) + 8;
-    if (!r.down) r.spare = need < above ? need : above;
-    else if (free > 0) r.spare = (float)(columns < free ? columns : free) * each + 8;
-    return r;
-}
-
-void game_spare_curves(const game *g, camera *c)
-{
-    curve_rows r = rows_of_curves(g);
-    float px = r.spare * g->state->scale;
-    *(r.down ? &c->left : &c->top) += px;
-    *(r.down ? &c->wide : &c->high) -= px;
-}
-
-/* The strip at the right of a curve. Was it pressed? */
-static bool press_cross(ui *u, const game_state *s, int row, float x, float y, float w,
-                        float h)
-{
-    char name[GAME_NAME_SIZE];
-    float middle = x + w / 2, up = u->height - y - w / 2;
-    bool covered = s->panel && x + w > u->width - SETTINGS_WIDTH && y + h > game_panel_top(s);
-    snprintf(name, sizeof name, "close %s", wfPlotTable[row].name);
-    ui_box(u, x, y, w, h, ui_inside(u, x, y, w, h) ? WF_INK_ACCENT : WF_INK_FAINT,
-           WF_INK_PAPER);
-    for (int way = -1; way <= 1 && u->draw; way += 2)
-        wfDrawLine(u->draw, middle - 4, up - 4 * (float)way, middle + 4, up + 4 * (float)way,
-                   1.5f, WF_INK_TEXT);
-    return !covered && ui_area(u, name, x, y, w, h);
-}
-
-void game_draw_curves(ui *u, game *g)
-{
-    game_state *s = g->state;
-    uint32_t shown = game_curves(s);
-    curve_rows r = rows_of_curves(g);
-    float wide = r.wide - r.strip;
-    if (game_has_panes(s))
-        ui_text(u, r.left, r.top - 8, 13, WF_INK_ACCENT, -1, "as in the panel World");
-    for (int i = 0, n = 0; i < wfPlotCount; i++) {
-        if (!(shown >> i & 1)) continue;
-        float along = (float)(n % r.in_line), other = (float)(n / r.in_line);
-        float x = r.left + (r.down ? other : along) * (r.wide + CURVE_GAP);
-        float y = r.top + (r.down ? along : other) * (r.high + CURVE_GAP);
-        if (n++ > 0 && x + r.wide > s->width) continue;
-        if (u->draw)
-            wfDrawPlot(u->draw, i, &s->plots, x, u->height - y - r.high, wide, r.high);
-        u->over |= ui_inside(u, x, y, r.wide, r.high);
-        if (press_cross(u, s, i, x + wide, y, r.strip, r.high)) turn_curve(s, i);
-    }
 }
 
 /* the panel of files */

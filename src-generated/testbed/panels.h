@@ -72,8 +72,8 @@ uint32_t game_needs_now(const game *g);
 void game_file_key(game *g, int32_t key);               /* does what the key is for */
 void game_settings_panel(ui *u, game *g);
 WF_APART void game_draw_curves(ui *u, game *g);
-WF_APART void game_spare_curves(const game *g, camera *c);      /* leaves them their part */
 uint32_t game_curves(const game_state *s);              /* all that are shown */
+void game_turn_curve(game_state *s, int row);           /* on and off */
 void game_free_part(const game *g, camera *c);          /* the world's and the curves' */
 void game_draw_legend(ui *u, const game *g, float x);
 void game_time_bar(ui *u, game *g);

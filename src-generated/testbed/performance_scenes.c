@@ -105,7 +105,7 @@ static const wfScene row[] = {
       .define = room_for_1000, .build = build_1000, CROWD, VIEW(0, 15, 38),
       SHAPE(1.2), PROMISE(7, 0.35) },
     { .category = "Performance", .name = "two thousand bodies", .chapter = "performance",
-      .text = "The most at once. Does it still run smoothly? Watch the curve of time, and lift them.",
+      .text = "The most at once. Does it run smoothly? Lift them, and watch the curve of time.",
       .define = room_for_2000, .build = build_2000, CROWD, .curves = 1 << WF_PLOT_TIME,
       VIEW(0, 25, 58), SHAPE(0.8), PROMISE(28, 0.5) },
     { .category = "Performance", .name = "a thousand among pegs", .chapter = "performance",

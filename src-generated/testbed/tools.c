@@ -401,12 +401,14 @@ enum { MORE_JOINTS = sizeof more_joints / sizeof *more_joints };
 
 static const char *joint_name(int row)
 {
-    return row < wfJointKinds ? wfJointTable[row].name : more_joints[row - wfJointKinds].name;
+    if (row < wfJointKinds) return wfJointTable[row].name;
+    return more_joints[row - wfJointKinds].name;
 }
 
 const char *tool_joint_text(int row)
 {
-    return row < wfJointKinds ? wfJointTable[row].text : more_joints[row - wfJointKinds].text;
+    if (row < wfJointKinds) return wfJointTable[row].text;
+    return more_joints[row - wfJointKinds].text;
 }
 
 static int joint_kind(int row)
@@ -530,8 +532,8 @@ static void connect(tool_work *w)
     wfBodyId other = body_at(w, m->at, m->body);
     wfResult result = join(w, row, m->body, other, m->from, m->at);
     if (result == WF_ERROR_STALE_ID) say_no(m, "there is no body");
-    else say(m, result, result ? "not joined" : m->body.index && other.index ? "joined: %s" :
-             "joined to the ground: %s", joint_name(row));
+    else say(m, result, result ? "not joined" : m->body.index && other.index ?
+             "joined: %s" : "joined to the ground: %s", joint_name(row));
 }
 
 static void draw_connecting(const tool_work *w, wfDraw *d)
@@ -821,7 +823,8 @@ static void add_bar(tool_work *w)
     if (result == WF_OK) result = add_body(w, &def, &id);
     in.index = id.index;
     in.generation = id.generation;
-    in.shape.density = m->heavy ? 40 / (2 * bar_half) : stuff[m->choice[TOOL_STUFF]].density;
+    in.shape.density = stuff[m->choice[TOOL_STUFF]].density;
+    if (m->heavy) in.shape.density = 40 / (2 * bar_half);
     in.shape.filter.group = -1;
     if (result == WF_OK) result = tool_give(w, WF_MODULE_SHAPES, &in, NULL);
     for (int i = 0; i < 2 && result == WF_OK; i++) {

@@ -50,7 +50,7 @@ EXPORT("web_bring") void web_bring(void)
     wfWriteSceneElsewhere = write_elsewhere;
 }
 
-/* The reader's own file is what is wanted now: in the next place, after the last in the last. */
+/* The reader's own file is what is wanted now: it gets the next place, or the last. */
 EXPORT("web_guest") void web_guest(void)
 {
     wanted = (ptrdiff_t)files.count < FILES ? (ptrdiff_t)files.count : FILES - 1;
