@@ -246,7 +246,7 @@ void game_buttons(ui *u, game *g, bar *b)
             game_press_button(g, row);
     }
     b->least = 0;
-    if (g->state->rate != 1 && bar_button(u, b, "Real time", false, "not slower, not faster"))
+    if (g->state->rate != 1 && bar_button(u, b, "Real time", false, "as fast as it is"))
         g->state->rate = 1;
     const char *change = g->scene->change;
     if (change && bar_button(u, b, change, false, "the key T does it, too"))

@@ -338,16 +338,16 @@ size_t wfPlotText(const wfPlots *p, uint32_t rows, char *text, size_t size)
     wfWriter c = { text, size, 0 };
     wfPut(&c, "time (s)");
     for (int row = 0; row < wfPlotCount; row++)
-        for (int k = first_curve(p, row), n = curves_of(p, row); k < n && (rows >> row & 1);
-             k++)
+        for (int k = first_curve(p, row), n = rows >> row & 1 ? curves_of(p, row) : 0;
+             k < n; k++)
             wfPut(&c, ",%s: %s (%s)", wfPlotTable[row].name, wfPlotTable[row].curve[k],
                 row == WF_PLOT_BODY + 2 ? k ? "rad/s" : "rad" : wfPlotTable[row].unit);
     for (int32_t i = 0; i < p->count; i++) {
         int32_t at = sample_at(p, i);
         wfPut(&c, "\n%.9g", (double)p->time[at]);
         for (int row = 0; row < wfPlotCount; row++)
-            for (int k = first_curve(p, row), n = curves_of(p, row); k < n && (rows >> row & 1);
-             k++)
+            for (int k = first_curve(p, row), n = rows >> row & 1 ? curves_of(p, row) : 0;
+             k < n; k++)
                 wfPut(&c, ",%.9g", (double)p->value[row][at][k]);
     }
     wfPut(&c, "\n");

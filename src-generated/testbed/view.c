@@ -355,7 +355,8 @@ static wfReal reach_of(const wfBodyView *v, int32_t i)
 {
     wfReal most = v->props[i].type != WF_DYNAMIC || v->props[i].shape < 0 ? WF_R(1e20) : 0;
     for (int32_t k = v->props[i].shape; k >= 0; k = v->next[k])
-        most = wfMaxR(most, wfLength(v->shapes[k].centre) + wfShapeMaxExtent(&v->shapes[k]));
+        most = wfMaxR(most, wfLength(v->shapes[k].centre) +
+                            wfShapeMaxExtent(&v->shapes[k]));
     return WF_R(1.3) * most;
 }
 
