@@ -313,13 +313,6 @@ static float type_line(ui *u, game *g, wfBodyId id, int type, float x, float y, 
     return y + UI_LINE;
 }
 
-/* Is it the number that the challenge is about? */
-static bool is_asked(const game *g, const char *name)
-{
-    int32_t row = g->state->challenge;
-    return row > 0 && strstr(wfChallengeTable[row - 1].may, name) != NULL;
-}
-
 static float body_panel(ui *u, game *g, float x, float y, float w)
 {
     tool_work t = game_tools_of(g);
@@ -340,7 +333,8 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     for (int i = 0; i < BODY_LINES; i++, y += UI_LINE) {
         const body_line *line = &body_lines[i];
         if (!panel_shows(g, y, UI_LINE)) continue;
-        if (ui_number(u, line->name, x, y, w, &n[i], line->range, is_asked(g, line->name)))
+        bool asked = g->state->asked >> line->input & 1;
+        if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, UI_LINE);
     }

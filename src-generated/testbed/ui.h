@@ -101,7 +101,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 /* The line to type into, and whether a key belongs to it. */
 void ui_query(ui *u, const char *name, float x, float y, float w);
 bool ui_takes(ui_memory *m, int32_t key);
-/* How well the letters of a query fit a word of a name, eq:interface-fit; -1: not at all. */
+/* How well a query's letters fit a word of a name, eq:interface-fit; -1: not at all. */
 float ui_fit(const char *query, const char *name);
 /* 3: each word of the query is a word of the text, capitals or not; 2: or one begins so; 1:
  * or it is in one; 0: not all are. */
