@@ -333,7 +333,7 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     for (int i = 0; i < BODY_LINES; i++, y += UI_LINE) {
         const body_line *line = &body_lines[i];
         if (!panel_shows(g, y, UI_LINE)) continue;
-        bool asked = g->state->asked >> line->input & 1;
+        bool asked = g->state->sought >> line->input & 1;
         if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, UI_LINE);
