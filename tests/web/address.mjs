@@ -112,6 +112,7 @@ await cut.evaluate(() => { location.hash = '#cradle'; });
 await cut.until('scene', 'cradle');
 // what was built is not left without a question
 let asked = 0;
+made.removeAllListeners('dialog');
 made.on('dialog', d => { asked += d.type() === 'beforeunload'; d.accept(); });
 await made.reload();
 check(asked === 1, `a page with a changed world asked ${asked} times before it went`);

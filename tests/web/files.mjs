@@ -100,7 +100,7 @@ await shows(bare, 'my own');
 await nine(bare, 'dropped');
 await drop(bare, 'other.json', text.replace('"seesaw"', '"my other"'));         // and the first one stays
 await shows(bare, 'my other');
-await bare.evaluate(() => document.getElementById('testbed').game.open('my own'));
+await bare.evaluate(() => { const g = document.getElementById('testbed').game; g.open('my own'); g.frame(0, 0); });
 await shows(bare, 'my own');
 await nine(bare, 'dropped, and then another');
 await press(bare, 'w');
