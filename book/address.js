@@ -49,9 +49,10 @@
   };
   const copy = async bytes => {
     const packed = letters(await through(bytes, new CompressionStream('deflate-raw')));
-    if (packed.length > MOST) { game.handOut(bytes, 'world.save'); say('too large for a link: handed out as world.save'); return; }
-    game.copied = location.href.replace(/#.*/, '') + '#' + link() + '&world=' + packed;
-    say(`the link is copied: ${game.copied.length} letters`);
+    const fits = packed.length <= MOST;
+    game.copied = location.href.replace(/#.*/, '') + '#' + link() + (fits ? '&world=' + packed : '');
+    if (fits) say(`the link is copied: ${game.copied.length} letters`);
+    else { game.handOut(bytes, 'world.save'); say('the link to the scene is copied; the world, too large for it, is handed out as world.save'); }
     try { await navigator.clipboard.writeText(game.copied); } catch (e) { window.prompt('the link', game.copied); }
   };
   // the scene of an address; the name of a challenge's says so
@@ -72,7 +73,7 @@
       for (let i = 0; i < 4; i++) game.frame(0, 0);    // its settings may be on the card
       game.key(97);                                    // A: load
       for (let i = 0; i < 4; i++) game.frame(0, 0);
-    } catch (e) { linked = null; }
+    } catch (e) { linked = null; say('!this link is damaged: its world can\'t be read'); }
   };
   // another scene is a step of the page's history, another setting is not
   const sceneOf = text => text.replace(/&.*/, '');

@@ -96,12 +96,67 @@ TEST(every_joint_joins)
             assert_true(wfGetJoint(&b.world, wfJointAt(&b.world, 0), &j) != WF_OK);      /* clicked at its anchor, it is gone */
             close_bench(&b);
         }
+    /* what most people look for, behind the kinds: a spring and a rope of the length that there is, a motor that turns */
+    static const int flag[] = { WF_JOINT_SPRING, WF_JOINT_LIMITS, WF_JOINT_MOTOR };
+    assert_int_equal(tool_choice_count(&toolChoices[TOOL_JOINT]), wfJointKinds + 3);
+    for (int more = 0; more < 3; more++) {
+        bench c;
+        wfJoint j;
+        open_bench(&c, NULL);
+        wfSetGravity(&c.world, wfV2(0, -10));
+        drag(&c, "Place", wfV2(-1, 0), wfV2(WF_R(-0.7), WF_R(0.2)));
+        c.memory.choice[TOOL_JOINT] = wfJointKinds + more;
+        drag(&c, "Connect", wfV2(-1, 0), wfV2(1, 0));
+        assert_non_null(strstr(c.memory.said, "joined to the ground: "));
+        assert_int_equal(wfGetJoint(&c.world, wfJointAt(&c.world, 0), &j), WF_OK);
+        assert_int_equal(j.flags, flag[more]);
+        assert_near(more < 2 ? (double)(more ? j.upper : j.rest) : 2, 2, 1e-5);
+        for (int i = 0; i < 60; i++) assert_int_equal(wfStepWorld(&c.world), WF_OK);
+        const wfBodyState *s = &wfWorldBodies(&c.world).state[j.b];
+        if (more < 2) assert_true(s->p.y < WF_R(-0.1));                 /* it falls, and hangs */
+        else assert_near((double)s->w, -4, 0.05);
+        close_bench(&c);
+    }
     bench b;
     open_bench(&b, NULL);
     drag(&b, "Connect", wfV2(0, 0), wfV2(1, 1));
     assert_int_equal(b.memory.refused, 1);
     assert_int_equal(wfBodyCount(&b.world), 0);
     close_bench(&b);
+}
+
+/* A car of a box and two discs on wheels stays one, whichever end of a wheel was pressed first. */
+TEST(wheels_turn_and_stay)
+{
+    for (int way = 0; way < 2; way++) {
+        bench b;
+        open_bench(&b, NULL);
+        wfSetGravity(&b.world, wfV2(0, -10));
+        b.memory.choice[TOOL_SHAPE] = 1, b.memory.choice[TOOL_TYPE] = 1;
+        drag(&b, "Place", wfV2(0, -2), wfV2(20, WF_R(-1.5)));          /* the ground */
+        b.memory.choice[TOOL_TYPE] = 0;
+        drag(&b, "Place", wfV2(0, 0), wfV2(1, WF_R(0.2)));
+        b.memory.choice[TOOL_SHAPE] = 0;
+        b.memory.choice[TOOL_JOINT] = wfFindJoint("wheel");
+        for (int side = -1; side <= 1; side += 2) {
+            wfVec2 wheel = wfV2(WF_R(0.7) * (wfReal)side, WF_R(-0.7)), body = wfV2(WF_R(0.7) * (wfReal)side, 0);
+            drag(&b, "Place", wheel, wfAdd(wheel, wfV2(WF_R(0.4), 0)));
+            drag(&b, "Connect", way ? body : wheel, way ? wheel : body);
+            assert_int_equal(b.memory.refused, 0);
+        }
+        for (int i = 0; i < 240; i++) {
+            if (i > 120) assert_int_equal(wfSetBodyVelocity(&b.world, wfBodyAt(&b.world, 1), wfV2(3, 0), 0), WF_OK);
+            assert_int_equal(wfStepWorld(&b.world), WF_OK);
+        }
+        const wfBodyState *s = wfWorldBodies(&b.world).state;
+        assert_true(s[1].p.x > 3);
+        for (int i = 2; i < 4; i++) {
+            wfVec2 arm = wfApplyInv(wfBodyTransform(&s[1]), s[i].p);
+            if (!(fabs((double)arm.x - (i == 2 ? -0.7 : 0.7)) < 0.05 && arm.y < WF_R(-0.3))) fail_msg("way %d: wheel %d is at (%g, %g) of the car", way, i, (double)arm.x, (double)arm.y);
+            assert_true(s[i].w < -4);                                   /* they roll */
+        }
+        close_bench(&b);
+    }
 }
 
 /* A stroke through corners, with a place every 0.04 m and a shake of a hundredth of a unit; closed. */

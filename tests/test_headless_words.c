@@ -250,3 +250,57 @@ TEST(what_a_tool_says_is_whole)
     assert_false(is_written(&p, "Connect: press on one body, let go on ..."));
     play_end(&p);
 }
+
+/* A challenge counts what was built, and says when it may not be. */
+TEST(a_challenge_counts_its_bars)
+{
+    for (int way = 0; way < 2; way++) {
+        play p;
+        begin(&p, 1100, 700, 1, 0, "challenge=bridge");
+        assert_true(is_written(&p, "bars 0 of 20"));
+        play_click(&p, "Use Bar");
+        play_run(&p, way ? "steps 0\nmove 400 300\ndown left\nframe\nmove 900 300\nframe\nup left\nframe\nframe\n" : "steps 0\nmove 400 300\ndown left\nframe\nmove 500 300\nframe\nup left\nframe\nframe\n");
+        assert_true(is_written(&p, "bars 1 of 20"));
+        play_run(&p, "steps 1\nwait 240\nsteps 0\nframe\nframe\n");
+        assert_true(is_written(&p, way ? "This try does not count: other things" : "Not this time.   bars 1 of 20"));
+        play_end(&p);
+    }
+}
+
+/* Start closes a panel that lies over the scene; a number that can be pulled says so by two arrows. */
+TEST(a_challenge_on_a_telephone)
+{
+    play p;
+    int box[4];
+    begin(&p, 780, 1500, 2, 1, "challenge=bounce");
+    tap(&p, "Change it");
+    assert_near(play_fact(&p, "panel", 0), 1, 0);
+    int x = (int)play_fact(&p, "widget restitution pixel", 0), y = (int)play_fact(&p, "widget restitution pixel", 1);
+    float k = state_of(&p)->scale;
+    const int arrows[4] = { x - (int)(44 * k), y - (int)(6 * k), x - (int)(32 * k), y + (int)(6 * k) };
+    assert_true(ink_box(&p, wfLightPalette.mark[WF_INK_LINE], arrows, box) > 20);
+    const int name[4] = { x - (int)(230 * k), y - (int)(9 * k), x - (int)(100 * k), y + (int)(9 * k) };
+    assert_true(ink_box(&p, wfLightPalette.mark[WF_INK_ACCENT], name, box) > 20);      /* it is the one that is asked for */
+    tap(&p, "Start");
+    assert_near(play_fact(&p, "panel", 0), 0, 0);
+    play_end(&p);
+}
+
+/* When most has left the scene, the last line says what brings it back; a body that is seen in part is in view. */
+TEST(an_ended_scene_says_reset)
+{
+    play p;
+    begin(&p, 1100, 700, 1, 0, "pyramid");
+    p.sparing = true;
+    assert_false(is_written(&p, "Reset brings it back"));
+    play_run(&p, "steps 1\nwait 1500\nsteps 0\nframe\nframe\n");
+    assert_true(is_written(&p, "most has left: Reset brings it back"));
+    play_end(&p);
+    begin(&p, 1100, 700, 1, 0, "stack-of-boxes");           /* its middle is out of the picture, and it is in view all the same */
+    char script[200];
+    snprintf(script, sizeof script, "steps 0\nkey p\nmove %g %g\nframe\nwheel 26\nframe\npan 700 0\nframe\nframe\n", play_fact(&p, "body 6 x", 2), play_fact(&p, "body 6 x", 3));
+    play_run(&p, script);
+    assert_true(play_fact(&p, "body 6 x", 2) > 1110);
+    assert_false(is_written(&p, "nothing is in view"));
+    play_end(&p);
+}

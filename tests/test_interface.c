@@ -181,12 +181,25 @@ TEST(an_open_list_lies_on_top)
 }
 
 /* ---- the search ---- */
-static bool fits(const char *q, const char *n)       /* all ways of placing the letters, slowly */
+static bool fits(const char *q, const char *n, bool begun)       /* all ways of placing the letters in one word, slowly */
 {
     if (!*q) return true;
-    for (; *n; n++)
-        if ((*n | 32) == (*q | 32) && fits(q + 1, n + 1)) return true;
+    for (; *n && !(begun && *n == ' '); n++)
+        if ((*n | 32) == (*q | 32) && fits(q + 1, n + 1, true)) return true;
     return false;
+}
+
+static int holds(const char *text, const char *word)        /* by cutting out each word */
+{
+    char words[80], *at;
+    int best = 0;
+    snprintf(words, sizeof words, "%s", text);
+    for (at = strtok(words, " "); at; at = strtok(NULL, " ")) {
+        const char *found = strstr(at, word);
+        int how = strcmp(at, word) == 0 ? 3 : found == at ? 2 : found ? 1 : 0;
+        best = how > best ? how : best;
+    }
+    return best;
 }
 
 TEST(the_search_finds_what_a_slow_one_finds)
@@ -197,13 +210,19 @@ TEST(the_search_finds_what_a_slow_one_finds)
         char name[12] = { 0 }, query[5] = { 0 };
         for (int k = 0; k < 11; k++) { seed = seed * 1664525u + 1013904223u; name[k] = "abcAB x"[seed >> 24 & 7 ? (seed >> 24 & 7) - 1 : 0]; }
         for (int k = 0; k < 1 + i % 4; k++) { seed = seed * 1664525u + 1013904223u; query[k] = "abcx"[seed >> 24 & 3]; }
-        assert_int_equal(ui_fit(query, name) >= 0, fits(query, name));
+        assert_int_equal(ui_fit(query, name) >= 0, fits(query, name, false));
+        for (char *c = name; *c; c++) *c |= 32;
+        assert_int_equal(ui_holds(name, query), holds(name, query));
     }
-    assert_true(ui_fit("tah", "tower of a hundred") >= 0);
-    assert_true(ui_fit("ca", "card house") > ui_fit("ca", "TC04 contact points"));
-    assert_near(ui_fit("ca", "card house"), 6.75, 0);               /* worked out in the chapter */
-    assert_true(ui_fit("ca", "cart") > ui_fit("ca", "card house"));
-    assert_true(ui_fit("ca", "arch") < 0);
+    assert_near(ui_fit("crd", "card house"), 8.5, 0);               /* worked out in the chapter */
+    assert_near(ui_fit("ab", "xaxab"), 2 - 5.0 / 8, 1e-6);
+    assert_true(ui_fit("tah", "tower of a hundred") < 0 && ui_fit("sand", "spring and orbit") < 0 && ui_fit("ca", "arch") < 0);
+    assert_int_equal(ui_holds("Race car, TC02", "CAR race"), 3);
+    assert_int_equal(ui_holds("cart", "car"), 2);
+    assert_int_equal(ui_holds("race car", "car rac"), 2);
+    assert_int_equal(ui_holds("race cart", "art"), 1);
+    assert_int_equal(ui_holds("race cart", "car bus"), 0);
+    assert_int_equal(ui_holds(NULL, "car"), 0);
 }
 
 TEST(the_line_takes_letters_only_when_asked)
@@ -213,6 +232,11 @@ TEST(the_line_takes_letters_only_when_asked)
     assert_true(ui_takes(&memory, '/'));
     for (const char *c = "card"; *c; c++) assert_true(ui_takes(&memory, *c));
     assert_string_equal(memory.query, "card");
+    assert_true(ui_takes(&memory, GAME_KEY_ALL) && ui_takes(&memory, 'b'));
+    assert_string_equal(memory.query, "b");
+    assert_true(ui_takes(&memory, GAME_KEY_ALL) && ui_takes(&memory, GAME_KEY_BACKSPACE));
+    assert_string_equal(memory.query, "");
+    for (const char *c = "card"; *c; c++) assert_true(ui_takes(&memory, *c));
     assert_true(ui_takes(&memory, GAME_KEY_BACKSPACE));
     assert_string_equal(memory.query, "car");
     assert_false(ui_takes(&memory, GAME_KEY_ENTER));

@@ -15,15 +15,23 @@ static int state_of_try(const game *g, char *line, size_t size)
     const wfChallenge *c = &wfChallengeTable[s->challenge - 1];
     bool done = s->trial.verdict == WF_DONE, lost = s->trial.verdict == WF_LOST;
     bool kicks = c->before & WF_MAY(WF_INPUT_IMPULSE);
-    char number[64] = "", kicked[32] = "";
+    bool bodies = c->before & WF_MAY(WF_INPUT_ADD_BODY);
+    const char *what = c->with && strcmp(c->with, "Bar") == 0 ? "bars" : "bodies";
+    char number[64] = "", count[32] = "";
     int used = wfWorldSteps(&g->world) > 0 ? s->kicks : s->kicks_before;
     snprintf(number, sizeof number, c->number, s->trial.shown);
     if (number[0] == '-' && number[strspn(number, "-0.")] == ' ') number[0] = '+';
-    if (kicks) snprintf(kicked, sizeof kicked, "kicks %d of %d   ", used, (int)c->most);
+    if (bodies) used = (int)wfBodyCount(&g->world) - c->given;
+    if (kicks || bodies)
+        snprintf(count, sizeof count, "%s %d of %d   ", kicks ? "kicks" : what, used,
+                 (int)c->most);
     if (done) snprintf(line, size, "Done.   %s", number);
     else if (s->foul)
         snprintf(line, size, "This try does not count: %s.", fouls[s->foul]);
-    else snprintf(line, size, "%s%s%s", lost ? "Not this time.   " : "", kicked,
+    else if (s->trial.unfit)
+        snprintf(line, size, "%sThis try does not count: other things than you have.",
+                 count);
+    else snprintf(line, size, "%s%s%s", lost ? "Not this time.   " : "", count,
                   wfWorldSteps(&g->world) > 0 ? number : "");
     return done ? WF_INK_GOOD : lost || s->foul ? WF_INK_BAD : WF_INK_TEXT;
 }
@@ -68,7 +76,7 @@ float game_card(ui *u, game *g, float x)
     if (!u->draw && first && !s->waits && g->input->steps < 0) s->paused = s->waits = 1;
     y = ui_wrapped(u, x, y, room, WF_INK_TEXT, g->scene->text);
     y = ui_wrapped(u, x, y, room, WF_INK_ACCENT, c->may);
-    bar b = { x, s->width - 8, x, y - 9, false };
+    bar b = { x, s->width - 8, x, y - 9, false, 0 };
     if (first && bar_button(u, &b, "Start", false, "let time run"))
         s->paused = 0, s->panel &= !game_panel_covers(s);
     if (!first && bar_button(u, &b, "Again", false, "to the first step, as it was built"))

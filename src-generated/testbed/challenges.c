@@ -156,7 +156,8 @@ static void judge_tower(const wfWorld *world, wfTrial *t)
 static void judge_beam(const wfWorld *world, wfTrial *t)
 {
     t->shown = (double)body(world, 1)->angle * 180 / (double)WF_PI;
-    if (!only_free(world, 3, 1) || fabs(t->shown) > 60) t->verdict = WF_LOST;
+    t->unfit = !only_free(world, 3, 1);
+    if (t->unfit || fabs(t->shown) > 60) t->verdict = WF_LOST;
     else if (wfWorldTime(world) >= 5)
         t->verdict = fabs(t->shown) <= 2 ? WF_DONE : WF_LOST;
 }
@@ -184,8 +185,8 @@ static bool is_bridge(const wfWorld *world)
 static void judge_bridge(const wfWorld *world, wfTrial *t)
 {
     t->shown = (double)body(world, 2)->p.y - 0.6;
-    if (t->kept[0] == 0) t->kept[0] = is_bridge(world) ? 1 : -1;
-    if (t->kept[0] < 0 || t->shown < -0.5) t->verdict = WF_LOST;
+    if (t->kept[0]++ == 0) t->unfit = !is_bridge(world);
+    if (t->unfit || t->shown < -0.5) t->verdict = WF_LOST;
     else if (wfWorldTime(world) >= 7) t->verdict = WF_DONE;
 }
 
@@ -217,7 +218,7 @@ const wfChallenge wfChallengeTable[] = {
       "%+.1f degrees", WF_MAY(WF_INPUT_ADD_BODY) | WF_MAY(WF_INPUT_REMOVE_BODY), 0, 3, -1, 1,
       false, judge_beam },
     { "bridge", "ten tonnes", "You have 20 bars of at most 2.7 m, before time runs.", "Bar",
-      "load %+.2f m above the banks", PLACED, 0, 3, -1, 20, false, judge_bridge },
+      "the load is %+.2f m up", PLACED, 0, 3, -1, 20, false, judge_bridge },
 };
 const int wfChallengeCount = (int)(sizeof wfChallengeTable / sizeof *wfChallengeTable);
 

@@ -11,6 +11,7 @@ enum { WF_NOT_YET, WF_DONE, WF_LOST };
 typedef struct wfTrial {
     int32_t verdict;            /* WF_NOT_YET, WF_DONE or WF_LOST: the judge's */
     int32_t held;               /* 1: the hand holds a body in this step */
+    int32_t unfit;              /* 1: something was built that may not be: the judge's */
     double  shown;              /* the number that is told */
     double  kept[4];            /* what the judge remembers */
 } wfTrial;

@@ -30,21 +30,17 @@ static void turn_held(game *g, wfReal by)
     s->turning = 1;
 }
 
-void game_place_camera(game *g)
+void game_free_part(const game *g, camera *c)
 {
-    game_state *s = g->state;
+    const game_state *s = g->state;
     float left = game_list_side(s), right = game_beside(s), k = s->scale;
     float foot = s->bare ? 0 : FOOT + TIME_BAR;
-    camera *c = &s->camera;
     c->left = left * k;
     c->top = s->head * k;
     c->wide = (s->width - left - right) * k;
     c->high = (s->height - s->head - foot) * k;
     if (game_panel_top(s) > s->head) c->high = (game_panel_top(s) - s->head) * k;
     game_spare_controls(g, c);
-    if (c->high < 16) c->high = 16;
-    if (c->wide < 16) c->wide = 16;
-    game_take_pane(s, c);
 }
 
 static void find_mouse(game *g)
@@ -370,7 +366,8 @@ void game_obey_key(game *g, int32_t key)
     case GAME_KEY_DELETE: remove_chosen(g); break;
     case GAME_KEY_ESCAPE: s->menu = s->keys = 0; break;
     default:
-        if (!s->ui.focus && !game_drives(g, game_key_bit(key))) obey_view_key(g, key);
+        if (!s->ui.focus && !(s->driven && game_key_bit(key)) &&
+            !game_drives(g, game_key_bit(key))) obey_view_key(g, key);
         break;
     }
     for (int i = 0; i < toolCount; i++)

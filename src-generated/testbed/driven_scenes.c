@@ -43,6 +43,8 @@ static wfResult build_hills(wfWorld *world)
     return m.result;
 }
 
+static wfResult build_ground(wfWorld *world) { return on_ground(world, 12).result; }
+
 static void drive_hills(wfWorld *world, const wfSceneInput *in)
 {
     wfReal gas = pulls(in, WF_LEFT, WF_RIGHT);
@@ -320,6 +322,9 @@ static void draw_runner(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
 }
 
 static const wfScene row[] = {
+    { .category = "Play", .name = "empty ground", .chapter = "tools",
+      .text = "A sandbox, blank and new: build with the tools.",
+      .define = jointly, .build = build_ground, VIEW(0, 2.5, 8), PROMISE(0, 0) },
     { .category = "Play", .name = "hill car", .chapter = "joints", .follow = 1,
       .text = "Two driven wheels on springs. Grip, not power, decides which hill is climbed.",
       .define = jointly, .build = build_hills, .update = drive_hills, .draw = draw_hills,

@@ -17,7 +17,7 @@ static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
     float x = game_list_side(s) + 16, mouse = u->x;
-    bar b = { x, s->width - 8, x, 10, s->height < LOW };
+    bar b = { x, s->width - 8, x, 10, s->height < LOW, 0 };
     if (s->bare) {
         s->head = 0;
         if (s->opened && game_drives_any(g)) game_controls(u, g);
@@ -31,7 +31,7 @@ static void interface(ui *u, game *g, double seconds)
     if (drawer || s->menu) u->x = -1e6f;                /* they lie over all else */
     strip(u, -2, s->head);
     strip(u, s->height - FOOT - TIME_BAR + 2, FOOT + TIME_BAR);
-    game_draw_curves(u, g);
+    if (game_curves(s) || game_has_panes(s)) game_draw_curves(u, g);
     if (s->list && !game_has_drawer(s)) game_list_panel(u, g);
     if (s->panel) game_settings_panel(u, g);
     game_buttons(u, g, &b);
@@ -51,7 +51,7 @@ static void interface(ui *u, game *g, double seconds)
                                  g->scene->text) - 7;
     }
     if (s->challenge) s->head += game_card(u, g, x);
-    else if (s->calm > 6 && !game_panel_covers(s)) game_offer(u, g, x);
+    else if (s->calm > 6 && !game_panel_covers(s) && !game_drives_any(g)) game_offer(u, g, x);
     bool covered = game_panel_covers(s);
     game_state_line(u, g, x);
     game_time_bar(u, g);
@@ -179,8 +179,7 @@ static void begin_again(game *g)
 {
     game_state *s = g->state;
     wfBodyView v = wfWorldBodies(&g->world);
-    camera home = { .x = (float)g->scene->viewX, .y = (float)g->scene->viewY,
-                    .height = (float)g->scene->viewHeight };
+    camera home = game_home(g);
     bool any = false, runs = g->input->steps < 0 && !s->paused;
     bool left = runs && !s->ends && !game_was_changed(s) && !g->scene->points;
     for (int32_t i = 0; i < v.count && left; i++) {
@@ -235,6 +234,8 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_take_answer(&g);
     fold_panels(s);
     if (!s->bar && !s->bare && s->tools.tool) game_choose_tool(&g, 0);
+    bool turned = s->finger && (s->seen_width > s->seen_height) != (s->width > s->height);
+    if (turned && s->opened && s->seen_width > 0) game_look_home(&g);
     if (input->scene[0]) open_by_name(&g, input->scene);
     bool bad = memory->news && memory->news[0] == '!';
     if (memory->news) game_tell(&g, bad, memory->news + bad);
@@ -330,7 +331,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
             (int)s->kicks, s->trial.shown);
     /* say what is compared and looked into */
     wfPut(&w, "pair %d %d\nworlds %d\ncurves %d\n", (int)s->look.shapeA,
-        (int)s->look.shapeB, s->worlds < 1 ? 1 : (int)s->worlds, (int)s->curves);
+        (int)s->look.shapeB, s->worlds < 1 ? 1 : (int)s->worlds, (int)game_curves(s));
     for (int i = 0; i < s->worlds - 1; i++) {
         int32_t at = (s->plots.next + WF_PLOT_SAMPLES - 1) % WF_PLOT_SAMPLES;
         bool known = s->plots.count > 0 && s->other[i] == WF_OK;

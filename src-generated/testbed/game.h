@@ -118,6 +118,7 @@ typedef struct game_state {
     undo_moment undo[UNDO_MOST];        /* worlds before a change, and the one that undo left */
     int32_t undo_at, undo_count;        /* the world stands before undo[undo_at]; how many */
     int32_t editing;                    /* 1: a change began in this frame; 2: and goes on */
+    uint64_t sought;                    /* bit of a kind of input: the task is about these */
     int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
     int32_t bar;                        /* the tools are shown */
     float panel_scroll, head;           /* head: height of the strip at the top, units */
@@ -129,7 +130,8 @@ typedef struct game_state {
     wfBodyId plotted;                   /* whose own curves are kept */
     wfLook look;                        /* what the overlays look into ... */
     int32_t pinned;                     /* ... 1: and it does not follow the mouse */
-    int32_t curves;                     /* which plots are shown, a bit each */
+    int32_t curves, lent;               /* plots that are shown, a bit each: the user's, and
+                                           the scene's own */
     int32_t worlds, overlaid;           /* compared: 1 to 4; drawn over each other */
     int32_t differs[3], part[3];        /* of each other world, the setting, and ... */
     double value[3];                    /* ... what it is there */
@@ -182,6 +184,7 @@ int game_scene_count(const game *g);
 const wfScene *game_scene_at(const game *g, int row);
 void game_tell(game *g, bool refused, const char *what);    /* on the last line */
 /* the world */
+camera game_home(const game *g);
 void game_look_home(game *g);
 void game_show_overlays(game *g);
 void game_press_overlay(game *g, uint32_t bit);

@@ -7,14 +7,18 @@
 #include "testbed/game.h"
 #include "testbed/layout.h"
 
-/* the world of the game */
-void game_look_home(game *g)
+/* The camera, where the scene wants it. */
+camera game_home(const game *g)
 {
-    g->state->camera.x = (float)g->scene->viewX;
-    g->state->camera.y = (float)g->scene->viewY;
-    g->state->camera.height = (float)g->scene->viewHeight;
-    g->state->camera.shape = (float)g->scene->viewShape;
+    camera home = g->state->camera;
+    home.x = (float)g->scene->viewX;
+    home.y = (float)g->scene->viewY;
+    home.height = (float)g->scene->viewHeight;
+    home.shape = (float)g->scene->viewShape;
+    return home;
 }
+
+void game_look_home(game *g) { g->state->camera = game_home(g); }
 
 static void keep_wishes(game *g);
 void game_show_overlays(game *g)
@@ -34,6 +38,32 @@ void game_press_overlay(game *g, uint32_t bit)
     s->show ^= bit;
 }
 
+/* With what is ticked, and what the scene refuses to be built without. */
+WF_APART static void open_with_modules(game *g)
+{
+    game_state *s = g->state;
+    char *said = s->tools.said;
+    for (bool again = true; again; ) {
+        s->result = wfOpenSceneWithModules(g->scene, &g->memory, s->modules, &g->world);
+        again = false;
+        for (int i = 0; i < wfModuleCount && s->modules; i++) {
+            const wfModule *row = &wfModuleTable[i];
+            if ((int32_t)row->error != s->result || (s->modules & row->bit)) continue;
+            size_t used = strlen(said);
+            snprintf(said + used, sizeof s->tools.said - used, "%s%s",
+                     used ? ", " : "this scene can't do without ", row->name);
+            s->modules = wfCloseModules(s->modules | row->bit);
+            again = true;
+        }
+    }
+    s->tools.refused = said[0] != 0;
+    s->wished = 0;                      /* ticked is what runs */
+    if (s->result == WF_OK) return;
+    snprintf(said, sizeof s->tools.said, "this scene can't be built with these needs");
+    s->modules = 0;
+    s->result = wfOpenScene(g->scene, &g->memory, &g->world);
+}
+
 void game_open_scene(game *g, int row)
 {
     game_state *s = g->state;
@@ -44,18 +74,10 @@ void game_open_scene(game *g, int row)
     bool same = s->row == row && s->opened;
     s->row = row;
     g->scene = game_scene_at(g, row);
-    s->result = wfOpenSceneWithModules(g->scene, &g->memory, same ? s->modules : 0,
-                                       &g->world);
     if (!same) s->modules = s->wished = 0;
+    if (s->modules) open_with_modules(g);
+    else s->result = wfOpenScene(g->scene, &g->memory, &g->world);
     s->opened = s->result == WF_OK;
-    if (!s->opened && s->modules) {
-        snprintf(s->tools.said, sizeof s->tools.said, "not without that: %s",
-                 wfResultText((wfResult)s->result));
-        s->tools.refused = 1;
-        s->modules = s->wished = 0;
-        s->result = wfOpenScene(g->scene, &g->memory, &g->world);
-        s->opened = s->result == WF_OK;
-    }
     /* forget what belonged to the scene before */
     if (s->tape != TAPE_EMPTY) s->tape = TAPE_DONE;
     g->noted = NULL;
@@ -77,6 +99,7 @@ void game_open_scene(game *g, int row)
     if (!same) {                            /* curves of a body that is no more */
         s->plotted = s->plots.body = (wfBodyId){ 0 };
         s->curves &= (1 << WF_PLOT_BODY) - 1;
+        s->lent = g->scene->curves;
     }
     s->menu = 0;
     s->empty = 0;
@@ -88,6 +111,7 @@ void game_open_scene(game *g, int row)
     s->waits = s->foul = s->foul_before = s->kicks = s->kicks_before = 0;
     s->trial = (wfTrial){ 0 };
     s->challenge = 0;
+    s->sought = 0;
     s->calm = 0;
     if (g->scene->alias) game_begin_challenge(g);
     if (same) keep_wishes(g);

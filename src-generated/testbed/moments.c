@@ -43,6 +43,12 @@ bool game_was_changed(const game_state *s)
     return s->undo_at > 0 && s->undo[s->undo_at - 1].row == s->row;
 }
 
+bool game_has_work(const game_memory *memory)
+{
+    const game_state *s = memory->permanent;
+    return s->begun && s->size == sizeof *s && game_was_changed(s);
+}
+
 int32_t game_keep_for_undo(game *g, int row)
 {
     game_state *s = g->state;

@@ -333,7 +333,8 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     for (int i = 0; i < BODY_LINES; i++, y += UI_LINE) {
         const body_line *line = &body_lines[i];
         if (!panel_shows(g, y, UI_LINE)) continue;
-        if (ui_number(u, line->name, x, y, w, &n[i], line->range, false))
+        bool asked = g->state->sought >> line->input & 1;
+        if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, UI_LINE);
     }
@@ -421,6 +422,15 @@ static float modules_panel(ui *u, game *g, float x, float y, float w)
     return y;
 }
 
+uint32_t game_curves(const game_state *s) { return (uint32_t)(s->curves | s->lent); }
+
+void game_turn_curve(game_state *s, int row)
+{
+    int32_t bit = 1 << row;
+    if (s->lent & bit) s->lent &= ~bit;
+    else s->curves ^= bit;
+}
+
 void game_plot_body(game *g, wfBodyId id)
 {
     g->state->plotted = id;
@@ -432,7 +442,7 @@ static void press_csv(game *g)
     game_state *s = g->state;
     if (!game_has_card(g)) return;
     game_file *f = g->file;
-    f->size = wfPlotText(&s->plots, (uint32_t)s->curves, (char *)f->bytes, f->capacity);
+    f->size = wfPlotText(&s->plots, game_curves(s), (char *)f->bytes, f->capacity);
     if (f->size >= f->capacity) game_tell(g, true, "the curves are too long for a file");
     else game_wish(g, GAME_FILE_EXPORT, FILE_CURVES, "curves.csv");
 }
@@ -497,7 +507,7 @@ void game_draw_legend(ui *u, const game *g, float x)
     const game_state *s = g->state;
     uint32_t rows = u->draw ? wfLegendOf(&g->world) : 0;
     float y = s->head - 30;
-    if (s->no_legend || s->curves || s->width < LIST_ROOM || !(rows & ~5u)) return;
+    if (s->no_legend || game_curves(s) || s->width < LIST_ROOM || !(rows & ~5u)) return;
     for (int i = 0; i < WF_LEGEND_BODIES; i++) {
         if (!(rows >> i & 1)) continue;
         const char *word = wfDrawLegendBody(i, u->draw, x + 12, u->height - y + 4, 12);
@@ -601,48 +611,14 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
         char name[GAME_NAME_SIZE];
         snprintf(name, sizeof name, "curve: %s", wfPlotTable[i].name);
         if (!panel_shows(g, line, ROW)) continue;
-        if (ui_check(u, name, left, line, w / 2 - 8, s->curves >> i & 1))
-            s->curves ^= 1 << i;
+        if (ui_check(u, name, left, line, w / 2 - 8, game_curves(s) >> i & 1))
+            game_turn_curve(s, i);
         ui_tip(u, name, wfPlotTable[i].text, left, line, w / 2 - 8, ROW);
     }
     y += (float)((wfPlotCount + 1) / 2 * ROW) + 6;
     if (panel_shows(g, y, 26) && ui_button(u, "Curves as CSV", x, y, w, false))
         press_csv(g);
     return y + 32;
-}
-
-enum { CURVE_WIDE = 268, CURVE_HIGH = 120, CURVE_LOW = 80, CURVE_GAP = 8 };
-
-/* The height at which all curves that are wanted fit into this room, if there is one. */
-static float curve_height(const game_state *s, float wide, float high)
-{
-    int wanted = 0, columns = (int)(wide / (CURVE_WIDE + CURVE_GAP));
-    for (int i = 0; i < wfPlotCount; i++) wanted += s->curves >> i & 1;
-    if (columns < 1) columns = 1;
-    if (wanted < 1) return CURVE_HIGH;
-    int lines = (wanted + columns - 1) / columns;
-    float each = high / (float)lines - CURVE_GAP;
-    return each > CURVE_HIGH ? CURVE_HIGH : each < CURVE_LOW ? CURVE_LOW : each;
-}
-
-void game_draw_curves(ui *u, const game *g)
-{
-    const game_state *s = g->state;
-    float head = s->height - s->head - (game_has_panes(s) ? 26 : 8), top = head;
-    float left = s->camera.left / s->scale + 8;
-    float high = curve_height(s, s->width - game_beside(s) - left, head - FOOT - 24);
-    if (game_has_panes(s))
-        ui_text(u, left, s->height - head - 8, 13, WF_INK_ACCENT, -1,
-                "as in the panel World");
-    for (int i = 0; i < wfPlotCount && u->draw; i++) {
-        if (!(s->curves >> i & 1)) continue;
-        if (top - high < FOOT + 24 - 1) {
-            left += CURVE_WIDE + CURVE_GAP;
-            top = head;
-        }
-        wfDrawPlot(u->draw, i, &s->plots, left, top - high, CURVE_WIDE, high);
-        top -= high + CURVE_GAP;
-    }
 }
 
 /* the panel of files */

@@ -16,8 +16,13 @@ typedef struct button_row {
 } button_row;
 
 #define FLAG(field) offsetof(game_state, field)
+
 /* Where the next button of a bar goes: from left to right, and then a row lower. */
-typedef struct bar { float left, right, x, y; bool terse; } bar;   /* terse: icons alone */
+typedef struct bar {
+    float left, right, x, y;
+    bool terse;                         /* icons alone */
+    float least;                        /* the width of the next, at least */
+} bar;
 enum { B_MASS, B_DENSITY, B_BOUNCE, B_FRICTION, B_DRAG, B_SPIN_DRAG, B_VX, B_VY, B_SPIN,
        BODY_LINES };
 /* files: the card is at home; it is sent; what came with it is taken */
@@ -66,7 +71,10 @@ bool game_body_numbers(const game *g, wfBodyId id, wfBodyInfo *b, double out[BOD
 uint32_t game_needs_now(const game *g);
 void game_file_key(game *g, int32_t key);               /* does what the key is for */
 void game_settings_panel(ui *u, game *g);
-void game_draw_curves(ui *u, const game *g);
+WF_APART void game_draw_curves(ui *u, game *g);
+uint32_t game_curves(const game_state *s);              /* all that are shown */
+void game_turn_curve(game_state *s, int row);           /* on and off */
+void game_free_part(const game *g, camera *c);          /* the world's and the curves' */
 void game_draw_legend(ui *u, const game *g, float x);
 void game_time_bar(ui *u, game *g);
 /* controls */

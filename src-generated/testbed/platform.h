@@ -52,7 +52,7 @@ enum {
     GAME_KEY_BACKSPACE = 8, GAME_KEY_TAB = 9, GAME_KEY_ENTER = 13, GAME_KEY_ESCAPE = 27,
     GAME_KEY_SPACE = 32, GAME_KEY_DELETE = 127, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
     GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN,
-    GAME_KEY_UNDO, GAME_KEY_REDO    /* Ctrl-Z; Ctrl-Shift-Z or Ctrl-Y */
+    GAME_KEY_UNDO, GAME_KEY_REDO, GAME_KEY_ALL  /* Ctrl-Z; Ctrl-Shift-Z or -Y; Ctrl-A */
 };
 /* What a command line may press by itself: sec:platform-pictures. */
 enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
@@ -123,7 +123,9 @@ bool game_set(game_memory *memory, const char *name, double value);
    that the user has changed. Returns the length, as game_describe does. */
 size_t game_link(game_memory *memory, char *text, size_t size);
 
-/* Does the user type letters or a number? A page raises a keyboard for a finger then. */
+/* Has the user changed the scene's world (a page asks before it goes then)? Does he type
+   letters or a number (it raises a keyboard for a finger then)? */
+bool game_has_work(const game_memory *memory);
 bool game_wants_letters(const game_memory *memory);
 
 /* What is going on, as lines of words: `scene stack', `paused 0', `body 3 x 1.5 y 2 pixel

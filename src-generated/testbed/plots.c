@@ -226,6 +226,12 @@ static int curves_of(const wfPlots *p, int row)
     return n;
 }
 
+/* Without a clock nobody knows what a step took. */
+static int first_curve(const wfPlots *p, int row)
+{
+    return row == WF_PLOT_TIME && !p->clocked;
+}
+
 /* In a page, and in small letters, those of 13 pixels stand for those of 11. */
 static float letters(const char *text)
 {
@@ -237,7 +243,8 @@ static float head_of(const wfPlots *p, int row, float w)
 {
     const wfPlotRow *r = &wfPlotTable[row];
     float need = (row < WF_PLOT_BODY ? 30 : 74) + letters(r->name) + letters(r->unit);
-    for (int c = 0; c < curves_of(p, row); c++) need += letters(r->curve[c]) + 10;
+    for (int c = first_curve(p, row); c < curves_of(p, row); c++)
+        need += letters(r->curve[c]) + 10;
     return need > w ? 37 : 24;
 }
 
@@ -246,10 +253,10 @@ static Axes axes_of(const wfPlots *p, int row, float x, float y, float w, float 
     Axes a = { x + 46, y + 20, w - 56, h - head_of(p, row, w) - 20, 0, 1, 1, 0, 1 };
     double least = 0, most = 0;
     for (int32_t k = 0; k < p->count; k++)
-        for (int c = 0; c < curves_of(p, row); c++) {
+        for (int first = first_curve(p, row), c = first; c < curves_of(p, row); c++) {
             double v = (double)p->value[row][sample_at(p, k)][c];
-            if ((k == 0 && c == 0) || v < least) least = v;
-            if ((k == 0 && c == 0) || v > most) most = v;
+            if ((k == 0 && c == first) || v < least) least = v;
+            if ((k == 0 && c == first) || v > most) most = v;
         }
     a.step = wfNiceAxis(least, most, a.h < 45 ? 2 : 3, &a.from, &a.to);
     if (p->count > 0) {
@@ -292,7 +299,7 @@ static void draw_curve(wfDraw *d, const Axes *a, const wfPlots *p, int row, int 
 
 static const char *why_not(const wfPlots *p, int row)
 {
-    if (wfPlotTable[row].clock && !p->clocked) return "nobody lends a clock here";
+    if (row == WF_PLOT_STAGES && !p->clocked) return "nobody lends a clock here";
     if (row >= WF_PLOT_BODY && !p->body.index) return "choose a body";
     if (row != WF_PLOT_STAGES || p->staged > 0) return NULL;
     return p->staged < 0 ? "a scene with hooks: not timed" : "not timed yet";
@@ -318,7 +325,7 @@ void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w,
     }
     draw_axes(d, &a);
     float end = x + w - 8, line = y + h + 11 - head_of(p, row, w);
-    for (int c = curves_of(p, row) - 1; c >= 0; c--) {
+    for (int c = curves_of(p, row) - 1; c >= first_curve(p, row); c--) {
         draw_curve(d, &a, p, row, c, ink[c]);
         wfDrawText(d, end, line, 11, ink[c], 1, r->curve[c]);
         end -= letters(r->curve[c]) + 10;
@@ -331,14 +338,16 @@ size_t wfPlotText(const wfPlots *p, uint32_t rows, char *text, size_t size)
     wfWriter c = { text, size, 0 };
     wfPut(&c, "time (s)");
     for (int row = 0; row < wfPlotCount; row++)
-        for (int k = 0; k < curves_of(p, row) && (rows >> row & 1); k++)
+        for (int k = first_curve(p, row), n = rows >> row & 1 ? curves_of(p, row) : 0;
+             k < n; k++)
             wfPut(&c, ",%s: %s (%s)", wfPlotTable[row].name, wfPlotTable[row].curve[k],
                 row == WF_PLOT_BODY + 2 ? k ? "rad/s" : "rad" : wfPlotTable[row].unit);
     for (int32_t i = 0; i < p->count; i++) {
         int32_t at = sample_at(p, i);
         wfPut(&c, "\n%.9g", (double)p->time[at]);
         for (int row = 0; row < wfPlotCount; row++)
-            for (int k = 0; k < curves_of(p, row) && (rows >> row & 1); k++)
+            for (int k = first_curve(p, row), n = rows >> row & 1 ? curves_of(p, row) : 0;
+             k < n; k++)
                 wfPut(&c, ",%.9g", (double)p->value[row][at][k]);
     }
     wfPut(&c, "\n");

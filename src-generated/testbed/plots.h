@@ -7,7 +7,7 @@
 #include "weft/weft.h"
 
 enum { WF_PLOT_CURVES = 5, WF_PLOT_SAMPLES = 600, WF_PLOTS_MOST = 14 };
-enum { WF_PLOT_ERROR = 6, WF_PLOT_STAGES = 7, WF_PLOT_BODY = 8 };       /* rows */
+enum { WF_PLOT_TIME = 5, WF_PLOT_ERROR, WF_PLOT_STAGES, WF_PLOT_BODY };     /* rows */
 
 /* What is asked at each sample. */
 typedef struct wfPlotInput {

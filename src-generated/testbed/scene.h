@@ -43,6 +43,7 @@ typedef struct wfScene {
     wfReal viewX, viewY, viewHeight;        /* m: what the camera looks at */
     wfReal viewShape;                       /* its width to its height; 0: 1.59 */
     uint32_t show;                          /* overlays to begin with */
+    int32_t curves;                         /* and plots: 1 << row of wfPlotTable */
     wfReal energyBound;                     /* J it may gain; negative: not checked */
     wfReal depthBound;                      /* m: deepest overlap; negative: not checked */
     /* instead of define and build: makes the world from a text; or NULL */

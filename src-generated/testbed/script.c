@@ -20,7 +20,7 @@ static const named_code key_names[] = {
     { "left", GAME_KEY_LEFT }, { "right", GAME_KEY_RIGHT }, { "up", GAME_KEY_UP },
     { "down", GAME_KEY_DOWN }, { "home", GAME_KEY_HOME }, { "end", GAME_KEY_END },
     { "page-up", GAME_KEY_PAGE_UP }, { "page-down", GAME_KEY_PAGE_DOWN },
-    { "undo", GAME_KEY_UNDO }, { "redo", GAME_KEY_REDO },
+    { "undo", GAME_KEY_UNDO }, { "redo", GAME_KEY_REDO }, { "all", GAME_KEY_ALL },
     { NULL, 0 }
 };
 

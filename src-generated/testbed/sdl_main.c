@@ -98,6 +98,7 @@ static int32_t key_of(SDL_Keycode code)
 static int32_t with_control(const SDL_KeyboardEvent *e)
 {
     if (e->keysym.sym == SDLK_y) return GAME_KEY_REDO;
+    if (e->keysym.sym == SDLK_a) return GAME_KEY_ALL;
     if (e->keysym.sym != SDLK_z) return 0;
     return e->keysym.mod & KMOD_SHIFT ? GAME_KEY_REDO : GAME_KEY_UNDO;
 }

@@ -52,6 +52,7 @@ void game_pull(game *g, wfReal h)
     int32_t i = wfBodyIndex(&g->world, s->held);
     if (i < 0) return;
     const wfBodyState *body = &wfWorldBodies(&g->world).state[i];
+    if (s->finger && s->rest >= 0 && wfLengthSq(body->v) < WF_R(0.04)) return;
     wfVec2 grip = game_grip_place(g);
     wfVec2 impulse = wfHandImpulse(body, grip, s->input.mouse, 25, h);
     s->pulled = 1;
@@ -94,7 +95,7 @@ static wfResult take_step(game *g)
 {
     game_state *s = g->state;
     wfStepClock clock = { game_clock, g, s->seconds };
-    bool asked = s->panel || (s->curves >> WF_PLOT_STAGES & 1);
+    bool asked = s->panel || ((s->curves | s->lent) >> WF_PLOT_STAGES & 1);
     bool timed = g->now && asked && g->scene->hooks == NULL && wfStageCount <= STAGES;
     g->staged = false;
     if (g->noted) return wfStepNoted(&g->world, &g->journal, g->scene->hooks);

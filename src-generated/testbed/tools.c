@@ -393,18 +393,64 @@ static wfBodyId body_at(const tool_work *w, wfVec2 at, wfBodyId but)
     return found;
 }
 
-static void complete_joint(const tool_work *w, wfJoint *j, wfVec2 from, wfVec2 to)
+static const struct { const char *name, *kind, *text; } more_joints[] = {
+    { "spring", "distance", "pulls two points to the distance that they have now" },
+    { "rope", "distance", "two points come no farther apart than they are now" },
+    { "motor", "revolute", "a hinge that turns by itself" } };
+enum { MORE_JOINTS = sizeof more_joints / sizeof *more_joints };
+
+static const char *joint_name(int row)
+{
+    if (row < wfJointKinds) return wfJointTable[row].name;
+    return more_joints[row - wfJointKinds].name;
+}
+
+const char *tool_joint_text(int row)
+{
+    if (row < wfJointKinds) return wfJointTable[row].text;
+    return more_joints[row - wfJointKinds].text;
+}
+
+static int joint_kind(int row)
+{
+    return row < wfJointKinds ? row : wfFindJoint(more_joints[row - wfJointKinds].kind);
+}
+
+static bool is_disc(const wfBodyView *v, int32_t i)
+{
+    int32_t k = v->props[i].shape;
+    return k >= 0 && v->shapes[k].kind == WF_SHAPE_CIRCLE && v->next[k] < 0;
+}
+
+static void complete_joint(const tool_work *w, const char *kind, wfJoint *j, wfVec2 from,
+                           wfVec2 to)
 {
     wfBodyView v = wfWorldBodies(w->world);
-    const char *kind = wfJointTable[j->kind].name;
     wfReal m = v.state[j->b].invMass > 0 ? 1 / v.state[j->b].invMass : 1;
     wfReal i = v.state[j->b].invInertia > 0 ? 1 / v.state[j->b].invInertia : 1;
     wfReal up = wfMaxR(wfLength(wfSub(to, from)), 40 * w->memory->unit);
     if (strcmp(kind, "pulley") == 0) {
-        wfReal top = wfMaxR(from.y, to.y) + up;
+        wfReal low = wfMaxR(from.y, to.y), top = wfMinR(low + up, w->memory->top - up / 8);
+        top = wfMaxR(top, low + up / 8);
         j->groundA = wfV2(from.x, top);
         j->groundB = wfV2(to.x, top);
         j->rest = 2 * top - from.y - to.y;
+    } else if (strcmp(kind, "spring") == 0) {
+        j->flags |= WF_JOINT_SPRING;
+        wfSetJointSpring(j, m, 1, WF_R(0.1));
+    } else if (strcmp(kind, "rope") == 0) {
+        j->flags |= WF_JOINT_LIMITS;
+        j->upper = j->rest;
+    } else if (strcmp(kind, "motor") == 0) {
+        j->flags |= WF_JOINT_MOTOR;
+        j->motorSpeed = -4;
+        j->motorForce = 98 * wfMaxR(m * up / 4, i);
+    } else if (strcmp(kind, "wheel") == 0 && is_disc(&v, j->b)) {
+        wfReal load = v.state[j->a].invMass > 0 ? 1 / v.state[j->a].invMass : m;
+        j->flags |= WF_JOINT_SPRING | WF_JOINT_LIMITS;
+        j->upper = wfShapeMaxExtent(&v.shapes[v.props[j->b].shape]) / 2;
+        j->lower = -j->upper;
+        wfSetJointSpring(j, load, 3, WF_R(0.7));
     } else if (strcmp(kind, "ratchet") == 0) {
         j->ratio = WF_PI / 6;
     } else if (strcmp(kind, "hand") == 0 || strcmp(kind, "servo") == 0) {
@@ -427,35 +473,43 @@ static wfResult choose_solver(tool_work *w, const char *name)
     return tool_put(w, &in, NULL);
 }
 
-static wfResult add_joint(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from,
+static wfResult add_joint(tool_work *w, int row, wfBodyId a, wfBodyId b, wfVec2 from,
                           wfVec2 to)
 {
     wfBodyView v = wfWorldBodies(w->world);
     int32_t i = wfBodyIndex(w->world, a), k = wfBodyIndex(w->world, b);
     if (i < 0 || k < 0 || i == k) return WF_ERROR_RANGE;
+    const char *name = joint_name(row);
+    bool wheel = strcmp(name, "wheel") == 0, turns = wheel || strcmp(name, "motor") == 0;
     wfVec2 axis = wfSub(to, from);
     if (wfLengthSq(axis) == 0) axis = wfV2(1, 0);
-    wfJoint j = wfMakeJoint(wfJointTable[kind].name, i, &v.state[i], k, &v.state[k], from,
-                            to, axis);
-    complete_joint(w, &j, from, to);
+    if (turns && is_disc(&v, i) && !is_disc(&v, k) && v.props[i].type == WF_DYNAMIC) {
+        int32_t swap = i;
+        i = k, k = swap;
+    }
+    if (turns && is_disc(&v, k)) from = to = v.state[k].p;
+    if (wheel && is_disc(&v, k)) axis = wfV2(0, 1);
+    wfJoint j = wfMakeJoint(wfJointTable[joint_kind(row)].name, i, &v.state[i], k,
+                            &v.state[k], from, to, axis);
+    complete_joint(w, name, &j, from, to);
     wfInput in = { .kind = WF_INPUT_ADD_JOINT, .joint = j };
     wfResult result = tool_give(w, WF_MODULE_JOINTS, &in, NULL);
     if (result != WF_ERROR_SOLVER || choose_solver(w, "soft") != WF_OK) return result;
     return tool_give(w, WF_MODULE_JOINTS, &in, NULL);
 }
 
-static bool has_two_anchors(int kind)
+static bool has_two_anchors(int row)
 {
     static const char *const two[] = { "distance", "pulley", "gear", "rack", "linkage",
                                        "hand", NULL };
     for (int i = 0; two[i]; i++)
-        if (strcmp(two[i], wfJointTable[kind].name) == 0) return true;
+        if (strcmp(two[i], wfJointTable[joint_kind(row)].name) == 0) return true;
     return false;
 }
 
-static wfResult join(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from, wfVec2 to)
+static wfResult join(tool_work *w, int row, wfBodyId a, wfBodyId b, wfVec2 from, wfVec2 to)
 {
-    wfVec2 at[2] = { from, has_two_anchors(kind) ? to : from };
+    wfVec2 at[2] = { from, has_two_anchors(row) ? to : from };
     wfBodyId nail = { 0, 0 };
     wfResult result = a.index || b.index ? WF_OK : WF_ERROR_STALE_ID;
     if (!b.index) {                                     /* the ground is A, the body B */
@@ -464,7 +518,7 @@ static wfResult join(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from
         b = a, a = nail;
     }
     if (result == WF_OK && !a.index) result = add_nail(w, at[0], &nail), a = nail;
-    if (result == WF_OK) result = add_joint(w, kind, a, b, at[0], at[1]);
+    if (result == WF_OK) result = add_joint(w, row, a, b, at[0], at[1]);
     wfInput gone = { .kind = WF_INPUT_REMOVE_BODY, .index = nail.index,
                      .generation = nail.generation };
     if (result != WF_OK && nail.index) tool_put(w, &gone, NULL);
@@ -474,10 +528,12 @@ static wfResult join(tool_work *w, int kind, wfBodyId a, wfBodyId b, wfVec2 from
 static void connect(tool_work *w)
 {
     tool_memory *m = w->memory;
-    int kind = m->choice[TOOL_JOINT];
-    wfResult result = join(w, kind, m->body, body_at(w, m->at, m->body), m->from, m->at);
+    int row = m->choice[TOOL_JOINT];
+    wfBodyId other = body_at(w, m->at, m->body);
+    wfResult result = join(w, row, m->body, other, m->from, m->at);
     if (result == WF_ERROR_STALE_ID) say_no(m, "there is no body");
-    else say(m, result, result ? "not joined" : "joined: %s", wfJointTable[kind].name);
+    else say(m, result, result ? "not joined" : m->body.index && other.index ?
+             "joined: %s" : "joined to the ground: %s", joint_name(row));
 }
 
 static void draw_connecting(const tool_work *w, wfDraw *d)
@@ -767,7 +823,8 @@ static void add_bar(tool_work *w)
     if (result == WF_OK) result = add_body(w, &def, &id);
     in.index = id.index;
     in.generation = id.generation;
-    in.shape.density = 40 / (2 * bar_half);
+    in.shape.density = stuff[m->choice[TOOL_STUFF]].density;
+    if (m->heavy) in.shape.density = 40 / (2 * bar_half);
     in.shape.filter.group = -1;
     if (result == WF_OK) result = tool_give(w, WF_MODULE_SHAPES, &in, NULL);
     for (int i = 0; i < 2 && result == WF_OK; i++) {
@@ -775,8 +832,10 @@ static void add_bar(tool_work *w)
         if (!other.index) continue;
         result = join(w, wfFindJoint("revolute"), id, other, end[i], end[i]);
     }
-    say(m, result, result ? "no bar" : "a bar of %.2f m",
-        (double)wfLength(wfSub(end[1], end[0])));
+    wfBodyInfo made = { .mass = 0 };
+    wfGetBody(w->world, id, &made);
+    say(m, result, result ? "no bar" : "a bar of %.2f m, %.3g kg",
+        (double)wfLength(wfSub(end[1], end[0])), (double)made.mass);
 }
 
 static void draw_bar(const tool_work *w, wfDraw *d)
@@ -812,8 +871,8 @@ const tool_row toolTable[] = {
       nothing, nothing, draw_probe },
     { "Kick", "press on a body, pull, let go: an impulse", ';', 0, nothing, nothing,
       give_kick, draw_kick },
-    { "Bar", "press, pull, let go: a bar, pinned at its ends to what is there", ':', 0,
-      nothing, nothing, add_bar, draw_bar },
+    { "Bar", "press, pull, let go: a bar, pinned at its ends to what is there", ':',
+      1 << TOOL_STUFF, nothing, nothing, add_bar, draw_bar },
 };
 const int toolCount = (int)(sizeof toolTable / sizeof *toolTable);
 #define NAMES(list) list, (int32_t)(sizeof list / sizeof *list)
@@ -826,14 +885,14 @@ const tool_names toolChoices[TOOL_CHOICES] = {
 int32_t tool_choice_count(const void *choice)
 {
     const tool_names *c = choice;
-    return c->names ? c->count : wfJointKinds;
+    return c->names ? c->count : wfJointKinds + MORE_JOINTS;
 }
 
 const char *tool_choice_name(const void *choice, int row)
 {
     const tool_names *c = choice;
     if (row < 0 || row >= tool_choice_count(c)) return NULL;
-    return c->names ? c->names[row] : wfJointTable[row].name;
+    return c->names ? c->names[row] : joint_name(row);
 }
 
 /* use a tool */

@@ -17,6 +17,8 @@ typedef struct tool_memory {
     wfVec2  from, at;               /* m: where it went down; where the mouse is */
     wfReal  unit;                   /* m: an interface unit, as it is zoomed now */
     wfReal  reach;                  /* m: how far beside a body a press still hits it */
+    wfReal  top;                    /* m: the upper edge of what is seen */
+    int32_t heavy;                  /* bars are of steel, whatever is chosen */
     wfBodyId body;                  /* what lay under `from'; index 0: nothing */
     int32_t points;                 /* of what is drawn by hand, m */
     wfVec2  point[TOOL_POINTS];
@@ -72,6 +74,7 @@ wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made);
 /* The same for an input for which the world must have these modules; makes room if it is
  * full. Errors of wfGiveInput. */
 wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made);
+const char *tool_joint_text(int row);   /* of a row of the choice of joints */
 /* Forgets who was removed meanwhile; chooses one body alone (index 0: nobody). */
 void tool_forget(tool_work *w);
 void tool_choose(tool_memory *m, wfBodyId id);

@@ -2,6 +2,7 @@
  * the chapter and type make. MIT licence. */
 /* A try at a challenge: what was done, whether it counts, what came of it; and whether
  * anything moves. */
+#include <string.h>
 #include "testbed/game.h"
 
 static const wfChallenge *challenge_of(const game *g)
@@ -24,6 +25,9 @@ static uint64_t sum_of(game *g)
 void game_begin_challenge(game *g)
 {
     g->state->challenge = 1 + wfFindChallenge(g->scene->name);
+    if (challenge_of(g)->changed >= 0) g->state->sought = challenge_of(g)->before;
+    const char *with = challenge_of(g)->with, *tool = toolTable[g->state->tools.tool].name;
+    if (!with || strcmp(with, tool) != 0) g->state->tools.tool = 0;     /* the hand */
     g->state->given = g->state->opened ? sum_of(g) : 0;
     if (g->input->steps < 0) g->state->paused = g->state->waits = 1;    /* for its reader */
 }

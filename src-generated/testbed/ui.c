@@ -258,7 +258,7 @@ bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
     return ui_area(u, name, x, y, w, 19);
 }
 
-float ui_row_high(const ui *u) { return u->finger ? 28 : 19; }
+float ui_row_high(const ui *u) { return u->finger ? 30 : 19; }
 
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
@@ -343,7 +343,8 @@ static void type_number(ui *u, uint32_t id, double *value, ui_range r, bool insi
 static bool takes_digit(ui_memory *m, int32_t key)
 {
     size_t length = strlen(m->edit);
-    if (key == GAME_KEY_ENTER) m->edited = 1;
+    if (key == GAME_KEY_ALL) m->edit[0] = 0;
+    else if (key == GAME_KEY_ENTER) m->edited = 1;
     else if (key == GAME_KEY_ESCAPE) m->edits = 0;
     else if (key == GAME_KEY_BACKSPACE && length > 0) m->edit[length - 1] = 0;
     else if (key > ' ' && key < 127 && strchr("0123456789.-/e", key) &&
@@ -368,6 +369,12 @@ static void draw_number(ui *u, const char *name, float x, float y, float w, doub
     if (r.most - r.least < 1e4 && r.most > r.least) {
         float part = (float)((value - r.least) / (r.most - r.least));
         ui_box(u, x + w - 91, y + UI_LINE - 5, 90 * part, 2, WF_INK_NONE, WF_INK_BODY);
+    }
+    for (int way = -1; way <= 1 && u->draw && u->memory->edits != id_of(name); way += 2) {
+        float at = x + w - 84 + 4 * (float)way, up = u->height - y - 11;
+        float tip[] = { at - 2 * (float)way, up + 4, at - 2 * (float)way, up - 4,
+                        at + 2 * (float)way, up };              /* it can be pulled */
+        wfDrawPolygon(u->draw, tip, 3, 0, WF_INK_NONE, WF_INK_LINE);
     }
     ui_text(u, x, y + 15, 13, changed ? WF_INK_ACCENT : WF_INK_TEXT, -1,
             ui_words(name, words));
@@ -483,10 +490,13 @@ bool ui_takes(ui_memory *m, int32_t key)
     if (!m->typing) {
         if (key != '/') return false;
         m->typing = 1;
-        m->focus = 0;
+        m->focus = m->all = 0;
         m->query[0] = 0;
         return true;
     }
+    if (m->all && (key == GAME_KEY_BACKSPACE || (key >= ' ' && key < 127)))
+        m->query[length = 0] = 0;
+    m->all = key == GAME_KEY_ALL && length > 0;
     if (key == GAME_KEY_ESCAPE) {
         m->typing = 0;
         m->query[0] = 0;
@@ -503,42 +513,78 @@ void ui_query(ui *u, const char *name, float x, float y, float w)
 {
     ui_memory *m = u->memory;
     bool hot = m->typing || ui_inside(u, x, y, w, 20);
-    char text[UI_QUERY + 2];
-    snprintf(text, sizeof text, "%s%s", m->query, m->typing ? "|" : "");
+    char line[UI_QUERY + 2], *text = line;
+    snprintf(line, sizeof line, "%s%s", m->query, m->typing ? "|" : "");
+    while (*text && wfTextWidth(&wfBakedFont, 13, text) > w - 12) text++;
     ui_box(u, x, y, w, 20, hot ? WF_INK_ACCENT : WF_INK_FAINT, WF_INK_PAPER);
+    float wide = wfTextWidth(&wfBakedFont, 13, text);
+    if (m->all) ui_box(u, x + 5, y + 3, wide - 2, 14, WF_INK_NONE, WF_INK_ACCENT);
     bool empty = !m->typing && !m->query[0];
     ui_text(u, x + 6, y + 14.5f, 13, empty ? WF_INK_LINE : WF_INK_TEXT, -1,
             !empty ? text : u->finger ? "find" : "find  ( / )");
-    if (ui_area(u, name, x, y, w, 20)) m->typing = 1;
-    else if (u->click && !u->draw) m->typing = 0;
+    if (ui_area(u, name, x, y, w, 20)) m->typing = 1, m->all = 0;
+    else if (u->click && !u->draw) m->typing = m->all = 0;
 }
 
 /* how well a name fits */
 static char small(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
 
-float ui_fit(const char *query, const char *name)
+static float word_fit(const char *query, const char *word, const char *end)
 {
     float fit = 0;
-    const char *at = name, *last = NULL;
+    const char *at = word, *last = NULL;
     for (; *query; query++) {
-        while (*at && small(*at) != small(*query)) at++;
-        if (!*at) return -1;
-        bool begins = at == name || at[-1] == ' ';
-        fit += 1 + (begins ? 4.0f : 0) + (last && at == last + 1 ? 2.0f : 0);
+        while (at < end && small(*at) != small(*query)) at++;
+        if (at == end) return -1;
+        fit += 1 + (at == word ? 4.0f : 0) + (last && at == last + 1 ? 2.0f : 0);
         last = at++;
     }
-    fit -= (float)strlen(name) / 8;
+    fit -= (float)(end - word) / 8;
     return fit > 0 ? fit : 0;
 }
 
-bool ui_holds(const char *text, const char *query)
+float ui_fit(const char *query, const char *name)
 {
-    for (; text && *text; text++) {
-        size_t n = 0;
-        while (query[n] && small(query[n]) == small(text[n])) n++;
-        if (!query[n]) return true;
+    float best = -1;
+    while (*name) {
+        const char *end = name + strcspn(name, " ");
+        best = fmaxf(best, word_fit(query, name, end));
+        name = end + (*end == ' ');
     }
-    return false;
+    return best;
+}
+
+static bool in_word(char c)
+{
+    c = small(c);
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c & 0x80);
+}
+
+/* ui_holds, for a word of n letters. */
+static int holds_word(const char *text, const char *word, size_t n)
+{
+    int best = 0;
+    for (const char *at = text; at && *at; at++) {
+        size_t k = 0;
+        while (k < n && small(word[k]) == small(at[k])) k++;
+        if (k < n) continue;
+        bool begins = at == text || !in_word(at[-1]);
+        int how = !begins ? 1 : in_word(at[n]) ? 2 : 3;
+        if (how > best) best = how;
+    }
+    return best;
+}
+
+int ui_holds(const char *text, const char *query)
+{
+    int least = 3;
+    while (*query) {
+        size_t n = strcspn(query, " ");
+        int how = n ? holds_word(text, query, n) : 3;
+        if (how < least) least = how;
+        query += n + (query[n] == ' ');
+    }
+    return least;
 }
 
 /* end a walk */

@@ -24,7 +24,7 @@ typedef struct ui_memory {
     int32_t focus, count;       /* who has the keys, from 1; how many there were */
     uint32_t rests;             /* over whom the mouse rests, and for how long, s */
     double rested;
-    int32_t typing;             /* letters go to the query */
+    int32_t typing, all;        /* letters go to the query; to the place of all of it */
     uint32_t edits;             /* which number is being typed; 0: none */
     int32_t edited;             /* ... and that it is ready */
     char edit[UI_QUERY];
@@ -101,7 +101,9 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 /* The line to type into, and whether a key belongs to it. */
 void ui_query(ui *u, const char *name, float x, float y, float w);
 bool ui_takes(ui_memory *m, int32_t key);
-/* How well a name fits a query, eq:interface-fit; -1: not at all. */
+/* How well a query's letters fit a word of a name, eq:interface-fit; -1: not at all. */
 float ui_fit(const char *query, const char *name);
-bool ui_holds(const char *text, const char *query);     /* capitals or not */
+/* 3: each word of the query is a word of the text, capitals or not; 2: or one begins so; 1:
+ * or it is in one; 0: not all are. */
+int ui_holds(const char *text, const char *query);
 #endif

@@ -10,6 +10,10 @@ tool_work game_tools_of(game *g)
     game_state *s = g->state;
     s->tools.unit = (wfReal)(s->scale / camera_scale(&s->camera));
     s->tools.reach = (s->finger ? 20 : 4) * s->tools.unit;
+    s->tools.heavy = s->challenge;
+    float corner[2];
+    camera_pick(&s->camera, s->camera.left, s->camera.top, corner);
+    s->tools.top = (wfReal)corner[1];
     return (tool_work){ &s->tools, &g->world, g->noted, &g->scratch, game_make_room, g,
                         game_begin_edit };
 }

@@ -324,13 +324,20 @@ static const JointLook joint_look[] = {
     { "servo", see_nothing }, { "friction", see_nothing }, { "filter", see_nothing },
 };
 
+typedef void (*JointDraw)(wfDraw *d, const SeenJoint *s);
+
+static JointDraw look_of(const SeenJoint *s)
+{
+    for (size_t i = 0; i < sizeof joint_look / sizeof *joint_look; i++)
+        if (strcmp(joint_look[i].kind, wfJointTable[s->j.kind].name) == 0)
+            return joint_look[i].draw;
+    return see_line;
+}
+
 static void draw_joint(wfDraw *d, const SeenJoint *s)
 {
     bool broken = (s->j.flags & WF_JOINT_BROKEN) != 0;
-    void (*draw)(wfDraw *, const SeenJoint *) = see_line;
-    for (size_t i = 0; i < sizeof joint_look / sizeof *joint_look; i++)
-        if (strcmp(joint_look[i].kind, wfJointTable[s->j.kind].name) == 0)
-            draw = joint_look[i].draw;
+    JointDraw draw = look_of(s);
     if (!broken) draw(d, s);
     if (draw == see_turning || (draw == see_hand && broken)) return;
     if (!s->full && !broken && draw == see_nothing) return;
@@ -343,6 +350,33 @@ static void draw_joint(wfDraw *d, const SeenJoint *s)
     if (ring) wfDrawPoint(d, WF_XY(s->to), 3, WF_INK_PAPER);
 }
 
+/* m: how far a body reaches from its middle, and a bit; the ground reaches everywhere. */
+static wfReal reach_of(const wfBodyView *v, int32_t i)
+{
+    wfReal most = v->props[i].type != WF_DYNAMIC || v->props[i].shape < 0 ? WF_R(1e20) : 0;
+    for (int32_t k = v->props[i].shape; k >= 0; k = v->next[k])
+        most = wfMaxR(most, wfLength(v->shapes[k].centre) +
+                            wfShapeMaxExtent(&v->shapes[k]));
+    return WF_R(1.3) * most;
+}
+
+/* What is joined is seen to be: dashes go from an anchor to a body that is elsewhere, and
+ * between two bodies whose turns alone are tied, if they are apart. */
+static void draw_ties(wfDraw *d, const SeenJoint *s, const wfBodyView *v)
+{
+    wfReal a = reach_of(v, s->j.a), b = reach_of(v, s->j.b);
+    bool turns = look_of(s) == see_turning, hand = look_of(s) == see_hand;
+    if (s->j.flags & WF_JOINT_BROKEN) return;
+    if (!turns && wfLength(wfSub(s->from, s->a.p)) > a)
+        wfDrawDashed(d, WF_XY(s->from), WF_XY(s->a.p), 1, WF_INK_LINE);
+    if (!turns && wfLength(wfSub(s->to, s->b.p)) > b)
+        wfDrawDashed(d, WF_XY(s->to), WF_XY(s->b.p), 1, WF_INK_LINE);
+    if (hand && a < WF_R(1e20))
+        wfDrawDashed(d, WF_XY(s->from), WF_XY(s->to), 1, WF_INK_LINE);
+    if (turns && !s->full && wfLength(wfSub(s->b.p, s->a.p)) > a + b)
+        wfDrawDashed(d, WF_XY(s->a.p), WF_XY(s->b.p), 1, WF_INK_LINE);
+}
+
 static void show_joints(const wfWorld *world, const Places *at, bool full, wfDraw *d)
 {
     for (int32_t i = 0; i < wfWorldJointPlaces(world); i++) {
@@ -352,6 +386,7 @@ static void show_joints(const wfWorld *world, const Places *at, bool full, wfDra
         s.b = place_of(at, s.j.b);
         s.from = wfApply(s.a, s.j.localA);
         s.to = wfApply(s.b, s.j.localB);
+        draw_ties(d, &s, at->view);
         draw_joint(d, &s);
     }
 }

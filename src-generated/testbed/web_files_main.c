@@ -10,11 +10,13 @@
 static wfResult open_brought(const wfScene *scene, const wfMemory *memory, wfWorld *out);
 #define FILE_SCENE(file) { .category = "Files", .name = file, .text = "a scene in a file", \
     .chapter = "save-and-replay", .open = open_brought, .viewY = 2, .viewHeight = 10 },
-static char guest[40];                  /* the name of a file that the reader has brought */
+enum { GUESTS = 6 };                    /* files that the reader has brought, at most */
+static char guest[GUESTS][40];          /* their names */
 static wfScene file_scenes[] = {
 #include "gen/files.h"
-    FILE_SCENE(guest) { .name = NULL } };
-enum { FILES = sizeof file_scenes / sizeof *file_scenes - 1, GUEST = FILES - 1,
+    FILE_SCENE(guest[0]) FILE_SCENE(guest[1]) FILE_SCENE(guest[2]) FILE_SCENE(guest[3])
+    FILE_SCENE(guest[4]) FILE_SCENE(guest[5]) { .name = NULL } };
+enum { FILES = sizeof file_scenes / sizeof *file_scenes - 1, GUEST = FILES - GUESTS,
        FILE_ROOM = 1 << 18 };
 static struct { size_t size; wfSceneInfo info; uint8_t bytes[FILE_ROOM]; } saves[FILES + 1];
 static ptrdiff_t wanted = FILES;        /* the scene whose world should come; FILES: none */
@@ -48,18 +50,30 @@ EXPORT("web_bring") void web_bring(void)
     wfWriteSceneElsewhere = write_elsewhere;
 }
 
-/* The reader's own file is what is wanted now. */
-EXPORT("web_guest") void web_guest(void) { wanted = GUEST; }
-
-static void name_guest(const char *name)
+/* The reader's own file is what is wanted now: it gets the next place, or the last. */
+EXPORT("web_guest") void web_guest(void)
 {
+    wanted = (ptrdiff_t)files.count < FILES ? (ptrdiff_t)files.count : FILES - 1;
+}
+
+/* One that has the name of an earlier one takes its place. Returns which has it. */
+static ptrdiff_t place_guest(ptrdiff_t i)
+{
+    for (ptrdiff_t k = GUEST; k < i; k++)
+        if (strcmp(saves[k].info.name, saves[i].info.name) == 0) {
+            memcpy(&saves[k], &saves[i], sizeof saves[i]);
+            return k;
+        }
+    const char *name = saves[i].info.name;
+    char *out = guest[i - GUEST];
     size_t n = strlen(name);
-    files.count = GUEST;
-    if (n + 8 > sizeof guest) n = sizeof guest - 8;
-    memcpy(guest, n ? name : "a file", n ? n + 1 : 7);
-    guest[n ? n : 6] = 0;
-    if (wfFindScene(guest) >= 0) memcpy(guest + n, " (file)", 8);
-    files.count = FILES;
+    files.count = (size_t)i;
+    if (n + 8 > sizeof guest[0]) n = sizeof guest[0] - 8;
+    memcpy(out, n ? name : "a file", n ? n + 1 : 7);
+    out[n ? n : 6] = 0;
+    if (wfFindScene(out) >= 0) memcpy(out + n, " (file)", 8);
+    files.count = (size_t)i + 1;
+    return i;
 }
 
 /* The name of the wanted scene, or NULL; where its save goes, and its record. */
@@ -72,10 +86,10 @@ EXPORT("web_came_info") wfSceneInfo *web_came_info(void) { return &saves[wanted]
  * be had. */
 EXPORT("web_came") const char *web_came(size_t size)
 {
+    saves[wanted].size = size;
+    if (size && wanted >= GUEST) wanted = place_guest(wanted);
     wfScene *row = &file_scenes[wanted];
     const wfSceneInfo *info = &saves[wanted].info;
-    saves[wanted].size = size;
-    if (size && wanted == GUEST) name_guest(info->name);
     wanted = FILES;
     if (!size) return NULL;
     row->text = info->text;

@@ -93,6 +93,7 @@ EXPORT("web_looks") void web_looks(int finger, int bare)
 EXPORT("web_still") int web_still(void) { return memory.still; }
 EXPORT("web_cursor") int web_cursor(void) { return memory.cursor; }
 EXPORT("web_dark") int web_dark(void) { return memory.dark; }
+EXPORT("web_work") int web_work(void) { return game_has_work(&memory); }
 EXPORT("web_letters") int web_letters(void) { return game_wants_letters(&memory); }
 
 EXPORT("web_key") void web_key(int key) { take(GAME_EVENT_KEY, 0, 0, key); }

@@ -71,6 +71,9 @@ check(url.length > 100 && url.length < 8500, `the link has ${url.length} letters
 const came = await open(url.replace(/^[^#]*/, ''), 'reduce');       // it begins paused
 await came.until('bodies', bodies);
 await came.until('hash', hash);
+const short = await open(url.replace(/^[^#]*/, '').slice(0, 300), 'reduce');
+await short.until('said', "this link is damaged: its world can't be read");
+await short.close();
 // a saved world that is dropped on the page is loaded; what is no saved world is told, and nothing else happens
 const drop = (page, name, letters) => page.evaluate(async ([name, letters]) => {
   const data = new DataTransfer(), bytes = Uint8Array.from(atob(letters), c => c.charCodeAt(0)), over = new DragEvent('dragover', { dataTransfer: data, bubbles: true, cancelable: true });
@@ -107,4 +110,10 @@ await cut.evaluate(() => { location.hash = '#%E0'; });
 await cut.until('said', 'there is no scene %E0');
 await cut.evaluate(() => { location.hash = '#cradle'; });
 await cut.until('scene', 'cradle');
+// what was built is not left without a question
+let asked = 0;
+made.removeAllListeners('dialog');
+made.on('dialog', d => { asked += d.type() === 'beforeunload'; d.accept(); });
+await made.reload();
+check(asked === 1, `a page with a changed world asked ${asked} times before it went`);
 await end();

@@ -98,6 +98,11 @@ await shows(bare, 'pyramid');
 await drop(bare, 'mine.json', text.replace('"seesaw"', '"my own"'));
 await shows(bare, 'my own');
 await nine(bare, 'dropped');
+await drop(bare, 'other.json', text.replace('"seesaw"', '"my other"'));         // and the first one stays
+await shows(bare, 'my other');
+await bare.evaluate(() => { const g = document.getElementById('testbed').game; g.open('my own'); g.frame(0, 0); });
+await shows(bare, 'my own');
+await nine(bare, 'dropped, and then another');
 await press(bare, 'w');
 await bare.evaluate(() => document.getElementById('testbed').game.run());
 await until(bare, 'kept: world.save');
