@@ -31,7 +31,7 @@ typedef struct wfLimb {
     int32_t end, links;          /* of a root: where its limbs end, and its links */
     int32_t points;              /* bits of the points that bear */
     int32_t height;              /* limbs from the ground to this one */
-    int32_t rows, state;
+    uint8_t rows, state;
     bool    upside;              /* the body is the contact's a */
     bool    given_up;            /* a root with loops: by passes for the rest of the step */
     bool    lands;               /* a root: only its velocities are solved at once */
