@@ -376,22 +376,6 @@ static void find_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in)
     wfSolveMatrix(m);
 }
 
-/* Takes it off, and pushes the states. */
-static void make_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool last)
-{
-    find_tangent(m, set, in);
-    for (int32_t n = 0; n < m->ordered; n++) {
-        int32_t i = m->order[n];
-        give_back(&set->joints[i], &set->work[i], m->x[i], last, m->moved,
-                  in->contactCount > 0);
-        for (int32_t k = 0; k < set->work[i].holds; k++) {
-            push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->free);
-            m->before[i][k] += m->x[i][k];
-        }
-    }
-    set->changed = true;
-}
-
 /* The bodies of a machine, in m->first: the least of those that can move. */
 static void number_machines(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
 {
@@ -456,24 +440,39 @@ static double stored_in(const wfMatrix *m, const wfJointSet *set, int32_t i,
     return share * sum / ((double)m->h * (double)m->h);         /* eq:exact-account */
 }
 
-/* Who hangs on a body that is moved by anything but joints has no end of it. */
-static void open_accounts(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
+/* Begins all accounts; who hangs on a body that is moved, by anything but joints, has no
+   end of it. */
+static void note_driven(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
 {
     for (int32_t n = 0; n < m->bodies; n++) m->rest[m->body[n]] = 0;
-    enter_motion(m, set, in, m->free, 1);
     for (int32_t n = 0; n < m->ordered; n++) {
-        int32_t i = m->order[n];
-        const wfJoint *j = &set->joints[i];
+        const wfJoint *j = &set->joints[m->order[n]];
         const wfBodyState *held = &in->state[wfJointMoves(&in->state[j->a]) ? j->b : j->a];
         bool moved = wfLengthSq(held->v) > 0 || held->w * held->w > 0;
-        double *rest = &m->rest[machine_of(m, set, in, i)];
-        if (moved && !wfJointMoves(held)) *rest += WF_EXACT_DRIVEN;
-        else if (!is_apart(set, i)) *rest += stored_in(m, set, i, m->part[i]);
+        if (moved && !wfJointMoves(held))
+            m->rest[machine_of(m, set, in, m->order[n])] = WF_EXACT_DRIVEN;
     }
 }
 
-/* What the second halves, m->x, would do to the velocities that were left. */
-static void weigh_halves(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
+static bool is_driven(const wfMatrix *m, int32_t b)
+{
+    return m->rest[b] > WF_EXACT_DRIVEN / 2;
+}
+
+static void open_accounts(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
+{
+    note_driven(m, set, in);
+    enter_motion(m, set, in, m->free, 1);
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        double *rest = &m->rest[machine_of(m, set, in, i)];
+        if (!is_apart(set, i)) *rest += stored_in(m, set, i, m->part[i]);
+    }
+}
+
+/* What the pushes m->x would do to the velocities v, in the accounts. */
+static void weigh_pushes(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
+                         const wfJointMotion *v)
 {
     for (int32_t n = 0; n < m->bodies; n++) {
         m->moving[m->body[n]] = (wfJointMotion){ .w = 0 };
@@ -481,27 +480,30 @@ static void weigh_halves(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
     }
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
-        for (int32_t k = 0; k < set->work[i].holds; k++) {
-            m->x[i][k] = half_of(m, i, k);
+        for (int32_t k = 0; k < set->work[i].holds; k++)
             push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, set->inverse,
                       m->moving);
-        }
-        m->account[machine_of(m, set, in, i)].stored
-            += stored_in(m, set, i, set->joints[i].elastic);
     }
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
         wfAccount *of = &m->account[m->first[b]];
-        of->slope += motion_of(in, set, b, &m->left[b], &m->moving[b]);
+        of->slope += motion_of(in, set, b, &v[b], &m->moving[b]);
         of->push += motion_of(in, set, b, &m->moving[b], &m->moving[b]) / 2;
-        of->motion += motion_of(in, set, b, &m->left[b], &m->left[b]) / 2;
+        of->motion += motion_of(in, set, b, &v[b], &v[b]) / 2;
     }
 }
 
 /* The shares of eq:exact-share-of-half, in m->bend; springs get no more than there is. */
 static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
 {
-    weigh_halves(m, set, in);
+    for (int32_t n = 0; n < m->ordered; n++)
+        for (int k = 0; k < 3; k++) m->x[m->order[n]][k] = half_of(m, m->order[n], k);
+    weigh_pushes(m, set, in, m->left);
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        const wfReal *e = set->joints[i].elastic;
+        m->account[machine_of(m, set, in, i)].stored += stored_in(m, set, i, e);
+    }
     for (int32_t n = 0; n < m->bodies; n++) {
         int32_t b = m->body[n];
         wfAccount *of = &m->account[b];
@@ -527,6 +529,42 @@ static void close_accounts(wfMatrix *m, wfJointSet *set, const wfSolve *in)
         for (int32_t k = 0; share < 1 && k < set->work[i].holds; k++)
             set->joints[i].elastic[k] *= share;
     }
+}
+
+/* The share of a projection x that a machine takes, in m->bend: 1, or what takes most. */
+static void temper(wfMatrix *m, const wfJointSet *set, const wfSolve *in,
+                   const wfJointMotion *v)
+{
+    weigh_pushes(m, set, in, v);
+    for (int32_t n = 0; n < m->bodies; n++) {
+        const wfAccount *of = &m->account[m->body[n]];
+        bool good = !(of->slope + of->push > WF_EXACT_BORNE * of->motion)
+                 || is_driven(m, m->body[n]);
+        m->bend[m->body[n]] = good ? 1 : (wfReal)(-of->slope / (2 * of->push));
+        m->bend[m->body[n]] = wfClamp(m->bend[m->body[n]], 0, 1);
+    }
+}
+
+/* Takes it off, and pushes the states. */
+static void make_tangent(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool last)
+{
+    find_tangent(m, set, in);
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        give_back(&set->joints[i], &set->work[i], m->x[i], last, m->moved,
+                  in->contactCount > 0);
+    }
+    temper(m, set, in, m->next);
+    for (int32_t n = 0; n < m->ordered; n++) {
+        int32_t i = m->order[n];
+        wfReal share = m->bend[machine_of(m, set, in, i)];
+        for (int32_t k = 0; k < set->work[i].holds; k++) {
+            wfReal x = share * m->x[i][k];
+            push_line(&m->line[i][k], x, &set->joints[i], in, m->inverse, m->free);
+            m->before[i][k] += x;
+        }
+    }
+    set->changed = true;
 }
 
 /* Half of the last push, along its chord; then what has come since we were here last:
@@ -726,7 +764,11 @@ static void start_together(wfJointSet *set, const wfSolve *in, const wfMoved *mo
     (void)moved;
     m->begun = true;
     m->h = dt;
-    if (first) begin_with_old(m, set), number_machines(m, set, in);
+    if (first) {
+        begin_with_old(m, set);
+        number_machines(m, set, in);
+        note_driven(m, set, in);
+    }
     stop_moving(m, in);
     arrive(m, set, in, first ? 0 : last ? 1 : WF_R(0.5));
     make_tangent(m, set, in, last);
@@ -798,11 +840,14 @@ static void give_up(wfMatrix *m, wfJointSet *set, const wfSolve *in, bool first)
     if (!first) copy_bodies(m, m->began, m->next);
     if (moves && !first) move_all(m, m->next, -1);
     find_tangent(m, set, in);
+    temper(m, set, in, m->next);
     for (int32_t n = 0; n < m->ordered; n++) {
         int32_t i = m->order[n];
+        wfReal share = m->bend[machine_of(m, set, in, i)];
         for (int32_t k = 0; k < set->work[i].holds; k++) {
-            push_line(&m->line[i][k], m->x[i][k], &set->joints[i], in, m->inverse, m->next);
-            m->impulse[i][k] = m->x[i][k] + (first ? 0 : m->entry[i][k]);
+            wfReal x = share * m->x[i][k];
+            m->impulse[i][k] = x + (first ? 0 : m->entry[i][k]);
+            push_line(&m->line[i][k], x, &set->joints[i], in, m->inverse, m->next);
             set->joints[i].given[k] = set->joints[i].elastic[k] = 0;
         }
     }

@@ -54,7 +54,7 @@ typedef struct Exact {
     int32_t solutions;          /* that are left in this step */
     wfReal course[WF_REPORT_COURSE];
     bool again;                 /* other laws have had their turn: a little is left alone */
-    bool astray;                /* they could not be solved in this substep */
+    bool astray;                /* in this substep they have not agreed */
     double change, fastest;     /* how much the last solve changed any velocity; of all */
     double coarse;              /* the noise of all parts, m/s */
     wfSolveReport report;
@@ -880,6 +880,7 @@ static void solve_in_turns(Exact *e, const wfConstraints *laws, bool soft)
         if (agree(e, before)) return;
         e->again = true;
     }
+    e->astray = e->astray || soft;
     e->report.apart++;
 }
 
@@ -895,8 +896,8 @@ static void solve(Exact *e, bool soft)
     e->solutions--;
 }
 
-/* A push against joints that were not solved is no guess: it would throw back a blow. */
-static void forget_pushes(Exact *e)
+/* What contacts and joints have not agreed upon is no guess: it throws back a blow. */
+static void forget_quarrels(Exact *e)
 {
     for (int32_t i = 0; e->astray && i < e->s.in->contactCount; i++)
         wfWarmStart(e->s.in, &e->s.c[i], 0);
@@ -906,7 +907,7 @@ static void forget_pushes(Exact *e)
 static void finish(Exact *e)
 {
     const wfSolve *in = e->s.in;
-    forget_pushes(e);
+    forget_quarrels(e);
     for (int32_t i = 0; i < in->contactCount; i++)
         wfStoreImpulses(&e->s.c[i], in->h / e->s.kick, &in->contacts[e->s.order[i]]);
     wfKick(&e->s, e->s.dt / 2, e->s.kick);
@@ -952,7 +953,7 @@ wfResult wfExactStep(const wfSolve *in)
     if (result == WF_OK) result = wfPrepareOnes(&e.s);
     if (result == WF_OK) result = make_system(&e);
     for (int32_t k = 0; k < in->substeps && result == WF_OK; k++) {
-        forget_pushes(&e);
+        forget_quarrels(&e);
         wfKick(&e.s, k == 0 ? e.s.dt / 2 : e.s.dt, e.s.kick);
         wfBounceAll(&e.s);
         solve(&e, true);
