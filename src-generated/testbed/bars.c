@@ -286,7 +286,7 @@ static const char *why_empty(const game *g)
         seen += here;
         left += !here && !is_seen(&v, i, at_home);
     }
-    bool goes_along = g->scene->follow || g->state->challenge || g->scene->points;
+    bool goes_along = g->scene->follow || g->scene->alias || g->scene->points;
     if (2 * left > all && !goes_along) return "most has left: Reset brings it back";
     return all && !seen ? "nothing is in view: Home brings it back" : NULL;
 }

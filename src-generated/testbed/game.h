@@ -37,12 +37,6 @@ typedef struct undo_moment { size_t at, size; uint64_t step; int32_t row; } undo
 enum { STAGES = 64 };               /* of a step, at most, that are timed */
 enum { OTHERS = 3, OTHER_BYTES = 4 * 1024 * 1024 };
 #include "testbed/challenges.h"
-/* Is never made part of its caller, so that a page can leave it to its second part. */
-#ifdef __GNUC__
-#define WF_APART __attribute__((noinline))
-#else
-#define WF_APART
-#endif
 enum { FOUL_NONE, FOUL_CHANGE, FOUL_HAND, FOUL_TIME, FOUL_KICKS, FOUL_SETTINGS };
 
 typedef struct game_state {

@@ -6,6 +6,13 @@
 #include "weft/draw.h"
 #include "weft/save.h"
 
+/* Is never made part of its caller, so that a page can leave it to its second part. */
+#ifdef __GNUC__
+#define WF_APART __attribute__((noinline))
+#else
+#define WF_APART
+#endif
+
 enum { TOOL_POINTS = 240, TOOL_CHOSEN = 64, TOOL_WORDS = 200 };
 enum { TOOL_SHAPE, TOOL_STUFF, TOOL_TYPE, TOOL_JOINT, TOOL_PROBE, TOOL_CHOICES };
 

@@ -10,7 +10,7 @@ tool_work game_tools_of(game *g)
     game_state *s = g->state;
     s->tools.unit = (wfReal)(s->scale / camera_scale(&s->camera));
     s->tools.reach = (s->finger ? 20 : 4) * s->tools.unit;
-    s->tools.heavy = s->challenge;
+    s->tools.heavy = g->scene->alias != NULL;
     float corner[2];
     camera_pick(&s->camera, s->camera.left, s->camera.top, corner);
     s->tools.top = (wfReal)corner[1];
