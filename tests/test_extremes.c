@@ -307,8 +307,9 @@ TEST(planks_slip_by_what_friction_lacks)
 /* The same seconds at every rate, in steps of 1/rate, and enough rows to see them by. */
 TEST(rates_are_of_the_same_time)
 {
-    static const struct { const char *name; double seconds; } rows[] = { { "throw", 2 }, { "tower-rate", 10 }, { "chain-rate", 5 } };
-    for (int r = 0; r < 3; r++)
+    static const struct { const char *name; double seconds; } rows[] = { { "throw", 2 }, { "tower-rate", 10 }, { "chain-rate", 5 },
+        { "landing-rate", 10 }, { "card-rate", 10 } };
+    for (int r = 0; r < 5; r++)
         for (int k = 0; k < extreme(rows[r].name)->count; k++) {
             double rate = extreme(rows[r].name)->value[k];
             labScene s;
@@ -320,6 +321,77 @@ TEST(rates_are_of_the_same_time)
             assert_true(fabs(s.steps * s.dt - rows[r].seconds) <= s.dt / 2);
             assert_true(r == 0 || (s.steps / s.every >= 37 && s.steps / s.every <= 300));
         }
+}
+
+/* A trace in which all stay as the scene has them, velocities included. */
+static void stay(Made *m, const char *name, double value)
+{
+    static char text[1 << 18];
+    labScene s;
+    FILE *f = tmpfile();
+    assert_non_null(f);
+    labBuildExtreme(extreme(name), value, f, &s);
+    rewind(f);
+    text[fread(text, 1, sizeof text - 1, f)] = 0;
+    fclose(f);
+    rest(m, s.bodies, s.steps * s.dt);
+    const char *at = text;
+    for (int k = 0; k < s.bodies; k++) {
+        double v[6];
+        at = strstr(at, "\"position\"");
+        assert_non_null(at);
+        assert_int_equal(sscanf(at, "\"position\":[%lf,%lf],\"angle\":%lf,\"velocity\":[%lf,%lf],\"angularVelocity\":%lf",
+                                &v[0], &v[1], &v[2], &v[3], &v[4], &v[5]), 6);
+        for (int i = 0; i < ROWS; i++) memcpy(cell(m, i, k, 0), v, sizeof v);
+        at++;
+    }
+}
+
+/* What users report: nothing of it is right, and each fault is called stable where it is slight and failed where it is gross.
+ * `body` is shifted along `field` at the end; from `by` on it is stable, from `far` on failed. */
+TEST(reports_are_judged_by_what_went_wrong)
+{
+    static const struct { const char *name; double value; int body, field; double by, far; } rows[] = {
+        { "gaps", 0.01, 10, LAB_Y, 0.4, 30 },           /* one of twenty planks rises: a twentieth of the bridge */
+        { "gaps", 0, 20, LAB_X, 0.02, 1.01 },           /* a hinge is open at the end */
+        { "wreck", 100, 22, LAB_Y, 0.2, 11 },
+        { "wreck", 1, 30, LAB_Y, 0.5, 18 },             /* a box of the wall */
+        { "wreck", 100, 22, LAB_X, -0.2, -11 },
+        { "bars", 8, 4, LAB_X, 0.01, 0.51 }, { "bars", 8, 5, LAB_Y, 0, -3 },
+        { "rod", 20, 3, LAB_Y, -7.6, -13 },
+        { "gas", 10, 30, LAB_SPIN, 120, 800 }, { "gas", 10, 30, LAB_X, 0, 20 },
+        { "card-rate", 60, 17, LAB_X, 0.02, 0.51 },
+        { "bin", 10, 40, LAB_X, 0.04, 0.4 }, { "bin", 10, 3, LAB_X, 0, -0.5 },
+        { "tiles", 5, 60, LAB_VX, -0.1, -5.1 }, { "tiles", 5, 60, LAB_Y, 0.01, 0.6 },
+        { "jointed", 3, 9, LAB_VX, 0.1, 1.1 }, { "jointed", 3, 9, LAB_Y, 0.01, 0.51 },
+    };
+    static Made m;
+    for (int k = 0; k < (int)(sizeof rows / sizeof *rows); k++) {
+        double error, harm;
+        for (int fault = 0; fault < 3; fault++) {
+            stay(&m, rows[k].name, rows[k].value);
+            if (strcmp(rows[k].name, "gaps") == 0)      /* closed, as they must be in the end */
+                for (int i = 1; i <= 20 && rows[k].value > 0; i++)
+                    *cell(&m, ROWS - 1, i, LAB_Y) += i % 2 ? rows[k].value / 2 : -rows[k].value / 2;
+            *cell(&m, ROWS - 1, rows[k].body, rows[k].field) += fault == 0 ? 0 : fault == 1 ? rows[k].by : rows[k].far;
+            const char *verdict = labJudgeExtreme(extreme(rows[k].name), &m.t, rows[k].value, &error, &harm);
+            const char *wanted = fault == 2 ? "failed" : fault == 1 && rows[k].by != 0 ? "stable" : "right";
+            if (strcmp(verdict, wanted) != 0) fail_msg("%s, fault %d of row %d: %s, error %g, harm %g", rows[k].name, fault, k, verdict, error, harm);
+        }
+    }
+    rest(&m, 5, 10);                                    /* sec:extremes-reports: 2.1 and 2.7 m */
+    for (int i = 0; i < ROWS; i++) *cell(&m, i, 3, LAB_Y) = 2.1, *cell(&m, i, 4, LAB_Y) = 2.7;
+    must_be("right", "landed", &m, 100);
+    *cell(&m, 2, 3, LAB_Y) = 2.09;
+    must_be("stable", "landed", &m, 100);
+    *cell(&m, 2, 4, LAB_Y) = 2.49;
+    must_be("failed", "landed", &m, 100);
+    rest(&m, 11, 10);
+    for (int i = 0; i < ROWS; i++)
+        for (int k = 1; k <= 10; k++) *cell(&m, i, k, LAB_Y) = k - 0.5 + (i == 0 ? 2 * k : 0);
+    must_be("right", "landing-rate", &m, 240);
+    *cell(&m, 2, 10, LAB_X) = 0.2;
+    must_be("stable", "landing-rate", &m, 240);
 }
 
 TEST(what_is_not_finite_fails_in_every_scene)

@@ -52,6 +52,14 @@ static int put(labScene *s, const Put *p)
     return s->bodies++;
 }
 
+/* of a point of a and one of b, that should be in one place */
+static void hinge_ends(labScene *s, int a, int b, const double at[2], const double to[2])
+{
+    fprintf(s->file, "%s{\"kind\":\"revolute\",\"a\":%d,\"b\":%d,\"anchorA\":[%.17g,%.17g],"
+            "\"anchorB\":[%.17g,%.17g]}", s->joints++ > 0 ? ",\n" : "\n],\"joints\":[\n",
+            a, b, at[0], at[1], to[0], to[1]);
+}
+
 static void hinge(labScene *s, int a, int b, double x, double y)
 {
     fprintf(s->file, "%s{\"kind\":\"revolute\",\"a\":%d,\"b\":%d,\"anchor\":[%.17g,%.17g]}",
@@ -613,20 +621,21 @@ static void judge_arch(const labTrace *t, double share, double *error, double *h
     *harm = share > 1 ? *error : 2 * *error;
 }
 
-static void build_cards(labScene *s, double storeys)
+static void put_cards(labScene *s, int storeys, double side, double thick)
 {
-    const double thick = 0.02, lean = 25 * 3.141592653589793 / 180;
-    double high = cos(lean) + thick * sin(lean), wide = sin(lean) + thick * cos(lean);
+    const double lean = 25 * 3.141592653589793 / 180;
+    double high = side * cos(lean) + thick * sin(lean);
+    double wide = side * sin(lean) + thick * cos(lean);
     double pitch = 2 * wide + thick, z = 0;
     under_gravity(s, 0.7, 600, 30);
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 20, .height = 1 });
     /* lay the storeys of a card house */
-    for (int pairs = (int)storeys; pairs > 0; pairs--, z += high + thick) {
+    for (int pairs = storeys; pairs > 0; pairs--, z += high + thick) {
         for (int i = 0; i < 2 * pairs; i++) {
-            double side = i % 2 ? 1 : -1, at = pitch * (i / 2 - (pairs - 1) / 2.0);
-            put(s, &(Put){ .x = at + side * wide / 2, .y = z + high / 2, .width = thick / 2,
-                           .height = 0.5, .angle = side * lean, .density = 1 });
+            double tilt = i % 2 ? 1 : -1, at = pitch * (i / 2 - (pairs - 1) / 2.0);
+            put(s, &(Put){ .x = at + tilt * wide / 2, .y = z + high / 2, .width = thick / 2,
+                           .height = side / 2, .angle = tilt * lean, .density = 1 });
         }
         for (int i = 0; i + 1 < pairs; i++) {
             double from = pitch * (i - (pairs - 1) / 2.0), to = from + pitch;
@@ -637,6 +646,8 @@ static void build_cards(labScene *s, double storeys)
         }
     }
 }
+
+static void build_cards(labScene *s, double storeys) { put_cards(s, (int)storeys, 1, 0.02); }
 
 static void judge_cards(const labTrace *t, double storeys, double *error, double *harm)
 {
@@ -975,6 +986,317 @@ static void judge_coincident(const labTrace *t, double n, double *error, double 
     *error = fmax(hypot(x, y) / 0.5, deepest);
     *harm = fastest / (5 * sqrt(n));
 }
+
+static double energy_of(const labTrace *t, int row, int body, double mass, double inertia)
+{
+    double v = hypot(labAt(t, row, body, LAB_VX), labAt(t, row, body, LAB_VY));
+    double w = labAt(t, row, body, LAB_SPIN);
+    return mass * (v * v / 2 + 10 * labAt(t, row, body, LAB_Y)) + inertia * w * w / 2;
+}
+
+/* how far the right end of body a is from the left end of b: half lengths */
+static double gap_between(const labTrace *t, int row, int a, int b, double half)
+{
+    double p = labAt(t, row, a, LAB_ANGLE), q = labAt(t, row, b, LAB_ANGLE);
+    double dx = labAt(t, row, b, LAB_X) - labAt(t, row, a, LAB_X);
+    double dy = labAt(t, row, b, LAB_Y) - labAt(t, row, a, LAB_Y);
+    return hypot(dx - half * (cos(p) + cos(q)), dy - half * (sin(p) + sin(q)));
+}
+
+enum { PLANKS = 20 };
+
+static void build_gaps(labScene *s, double gap)
+{
+    double x[PLANKS + 1] = { 0 }, y[PLANKS + 1] = { 0 };
+    under_gravity(s, 0.6, 600, 2);
+    open_scene(s);
+    put(s, &(Put){ .width = 0.1, .height = 0.1, .mask = 2 });
+    for (int i = 0; i < PLANKS; i++) {
+        double angle = 0.05 * (i - 9.5), off = i % 2 ? gap / 2 : -gap / 2;
+        x[i + 1] = x[i] + cos(angle);
+        y[i + 1] = y[i] + sin(angle);
+        put(s, &(Put){ .x = (x[i] + x[i + 1]) / 2, .y = (y[i] + y[i + 1]) / 2 + off,
+                       .angle = angle, .width = 0.5, .height = 0.05, .density = 1,
+                       .mask = 2 });
+    }
+    for (int i = 0; i <= PLANKS; i++) {
+        double before = i == 0 ? 0 : i % 2 ? -gap / 2 : gap / 2, off = -before;
+        if (i == 0) off = -gap / 2;
+        if (i == PLANKS) off = 0;
+        hinge_ends(s, i, i == PLANKS ? 0 : i + 1, (double[2]){ x[i], y[i] + before },
+                   (double[2]){ x[i], y[i] + off });
+    }
+}
+
+static void judge_gaps(const labTrace *t, double gap, double *error, double *harm)
+{
+    const double mass = 0.1, inertia = 0.1 * (1 + 0.01) / 12, lift = 10 * mass * PLANKS;
+    double first = 0, rise = 0, open = 0;
+    for (int row = 0; row < t->rows; row++) {
+        double sum = 0;
+        for (int i = 1; i <= PLANKS; i++) sum += energy_of(t, row, i, mass, inertia);
+        if (row == 0) first = sum;
+        rise = fmax(rise, sum - first);
+    }
+    for (int i = 1; i < PLANKS; i++)
+        open = fmax(open, gap_between(t, t->rows - 1, i, i + 1, 0.5));
+    *error = fmax(fmax(0, rise / lift - gap / 2), open);
+    *harm = *error;
+}
+
+enum { LINKS = 20 };
+static const double wreck_radius = 0.75, wreck_arm = 10.75;
+
+static void build_wreck(labScene *s, double mass)
+{
+    under_gravity(s, 0.6, 900, 2);
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 100, .height = 1 });
+    put(s, &(Put){ .y = 12, .width = 0.1, .height = 0.1, .mask = 4 });
+    for (int i = 0; i < LINKS; i++)
+        put(s, &(Put){ .x = -0.5 * i - 0.25, .y = 12, .width = 0.25, .height = 0.05,
+                       .density = 1, .category = 2, .mask = 1 });
+    put(s, &(Put){ .x = -wreck_arm, .y = 12, .radius = wreck_radius, .category = 2, .mask = 1,
+                   .density = mass / (3.141592653589793 * wreck_radius * wreck_radius) });
+    for (int i = 0; i < 20; i++)
+        put(s, &(Put){ .x = 1 + 1.02 * (i % 4), .y = 0.5 + i / 4, .width = 0.5, .height = 0.5,
+                       .density = 1 });
+    for (int i = 0; i <= LINKS; i++) hinge(s, i + 1, i + 2, -0.5 * i, 12);
+}
+
+static void judge_wreck(const labTrace *t, double mass, double *error, double *harm)
+{
+    const double link = 0.05, turn = link * (0.25 + 0.01) / 12;
+    const double disc = mass * wreck_radius * wreck_radius / 2;
+    double work = 10 * wreck_arm * (mass + link * LINKS / 2), first = 0, rise = 0, longer = 0;
+    for (int row = 0; row < t->rows; row++) {
+        double sum = energy_of(t, row, LINKS + 2, mass, disc);
+        for (int i = 0; i < LINKS; i++) sum += energy_of(t, row, i + 2, link, turn);
+        for (int i = 0; i < 20; i++) sum += energy_of(t, row, LINKS + 3 + i, 1, 1.0 / 6);
+        if (row == 0) first = sum;
+        rise = fmax(rise, sum - first);
+        longer = fmax(longer, hypot(labAt(t, row, LINKS + 2, LAB_X),
+                                    labAt(t, row, LINKS + 2, LAB_Y) - 12) / wreck_arm - 1);
+    }
+    *error = *harm = fmax(rise / work, longer);
+}
+
+static void build_bars(labScene *s, double speed)
+{
+    s->fast = 1;
+    under_gravity(s, 0.6, 60, 1);
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 200, .height = 1 });
+    for (int i = 0; i < 20; i++) {
+        double low = 0.27 + speed * (i / 2) / 600;
+        put(s, &(Put){ .x = 10 * (i / 2), .y = i % 2 ? low + 0.5 : low, .vy = -speed,
+                       .angle = i % 4 == 2 ? 0.3 : 0, .width = 0.05, .height = 0.25,
+                       .density = 1, .category = 2, .mask = 1 });
+    }
+    for (int i = 0; i < 10; i++)
+        hinge(s, 2 * i + 1, 2 * i + 2, 10 * i, 0.52 + speed * i / 600);
+}
+
+static void judge_bars(const labTrace *t, double speed, double *error, double *harm)
+{
+    (void)speed;
+    *error = *harm = 0;
+    for (int i = 1; i <= 20; i += 2)
+        for (int row = 0; row < t->rows; row++) {
+            double x[2], y[2];                      /* the two ends that are hinged */
+            for (int k = 0; k < 2; k++) {
+                double turned = labAt(t, row, i + k, LAB_ANGLE) - labAt(t, 0, i + k, LAB_ANGLE);
+                double up = k == 0 ? 0.25 : -0.25;
+                x[k] = labAt(t, row, i + k, LAB_X) - up * sin(turned);
+                y[k] = labAt(t, row, i + k, LAB_Y) + up * cos(turned);
+                if (labAt(t, row, i + k, LAB_Y) < -0.05) *harm = 2;
+            }
+            *error = fmax(*error, hypot(x[1] - x[0], y[1] - y[0]) / 0.5);
+        }
+    *harm = fmax(*harm, *error);
+}
+
+static void build_rod(labScene *s, double speed)
+{
+    s->fast = 1;
+    under_gravity(s, 0.6, 180, 1);
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 2000, .height = 1 });
+    for (int i = 0; i < 5; i++)
+        put(s, &(Put){ .x = 100 * i, .y = 12 + speed * i / 300, .vy = -speed, .spin = 3,
+                       .angle = 1.2707963, .width = 5, .height = 0.005, .density = 1,
+                       .category = 2, .mask = 1 });
+}
+
+static void judge_rod(const labTrace *t, double speed, double *error, double *harm)
+{
+    (void)speed;
+    *error = *harm = 0;
+    for (int i = 1; i <= 5; i++)
+        for (int row = 0; row < t->rows; row++) {
+            double a = labAt(t, row, i, LAB_ANGLE), y = labAt(t, row, i, LAB_Y);
+            *error = fmax(*error, 5 * fabs(sin(a)) + 0.005 * fabs(cos(a)) - y);
+            if (y < -0.05) *harm = 2;
+        }
+    *harm = fmax(*harm, *error);
+}
+
+enum { GAS = 49 };
+
+static void build_gas(labScene *s, double speed)
+{
+    s->fast = 1;
+    s->restitution = 1;
+    s->steps = 600;
+    s->every = 5;
+    open_scene(s);
+    for (int i = 0; i < 4; i++) {
+        double to = i % 2 ? 5.05 : -5.05;
+        put(s, &(Put){ .x = i < 2 ? to : 0, .y = i < 2 ? 0 : to, .width = i < 2 ? 0.05 : 5.1,
+                       .height = i < 2 ? 5.1 : 0.05 });
+    }
+    for (int i = 0; i < GAS; i++)
+        put(s, &(Put){ .x = 1.2 * (i % 7) - 3.6, .y = 1.2 * (i / 7) - 3.6, .radius = 0.1,
+                       .vx = speed * cos(2.4 * i), .vy = speed * sin(2.4 * i), .density = 1 });
+}
+
+static void judge_gas(const labTrace *t, double speed, double *error, double *harm)
+{
+    *error = *harm = 0;
+    for (int row = 0; row < t->rows; row++) {
+        double sum = 0;
+        for (int i = 4; i < 4 + GAS; i++) {
+            double v = hypot(labAt(t, row, i, LAB_VX), labAt(t, row, i, LAB_VY));
+            double r = labAt(t, row, i, LAB_SPIN) * 0.1;
+            sum += (v * v + r * r / 2) / (speed * speed * GAS);
+            if (fabs(labAt(t, row, i, LAB_X)) > 5 || fabs(labAt(t, row, i, LAB_Y)) > 5)
+                *harm = 2;
+        }
+        *error = fmax(*error, fabs(sum - 1));
+    }
+    *harm = fmax(*harm, 2 * *error);
+}
+
+static void build_landing_rate(labScene *s, double rate)
+{
+    s->dt = 1 / rate;
+    build_falling(s, 2);
+    at_rate(s, rate, 10);
+}
+
+static void judge_landing_rate(const labTrace *t, double rate, double *error, double *harm)
+{
+    (void)rate;
+    judge_falling(t, 2, error, harm);
+}
+
+static void build_card_rate(labScene *s, double rate)
+{
+    s->dt = 1 / rate;
+    put_cards(s, 5, 0.4, 0.002);
+    at_rate(s, rate, 10);
+}
+
+static void build_landed(labScene *s, double mass)
+{
+    under_gravity(s, 0.6, 600, 60);
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 100, .height = 1 });
+    put(s, &(Put){ .x = -3, .y = 1, .width = 0.5, .height = 1 });
+    put(s, &(Put){ .x = 3, .y = 1, .width = 0.5, .height = 1 });
+    put(s, &(Put){ .y = 2.1, .width = 4, .height = 0.1, .density = 2.5 });
+    put(s, &(Put){ .y = 5, .width = 0.5, .height = 0.5, .density = mass });
+}
+
+/* in thicknesses of the plank */
+static void judge_landed(const labTrace *t, double mass, double *error, double *harm)
+{
+    (void)mass;
+    *error = *harm = fmax(fabs(at_end(t, 3, LAB_Y) - 2.1), fabs(at_end(t, 4, LAB_Y) - 2.7)) / 0.2;
+}
+
+enum { DISCS = 63 };
+static const double disc_radius = 0.26;
+
+static void build_bin(labScene *s, double ratio)
+{
+    under_gravity(s, 0.6, 720, 60);
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 100, .height = 1 });
+    put(s, &(Put){ .x = -3.5, .y = 5, .width = 0.5, .height = 6 });
+    put(s, &(Put){ .x = 3.5, .y = 5, .width = 0.5, .height = 6 });
+    for (int row = 0; row < 6; row++)
+        for (int i = 0; i < 11 - row % 2; i++)
+            put(s, &(Put){ .x = -2.7 + 0.54 * i + 0.27 * (row % 2), .y = 0.26 + 0.47 * row,
+                           .radius = disc_radius, .density = 1 });
+    put(s, &(Put){ .y = 4.5, .width = 2.8, .height = 0.5, .density = ratio });
+}
+
+/* the deepest overlap at the end, in diameters; none may be lost */
+static void judge_bin(const labTrace *t, double ratio, double *error, double *harm)
+{
+    (void)ratio;
+    *error = *harm = 0;
+    for (int i = 3; i < 3 + DISCS; i++) {
+        double x = at_end(t, i, LAB_X), y = at_end(t, i, LAB_Y);
+        if (fabs(x) > 3 || y < 0) *harm = 2;
+        for (int k = 3; k < i; k++)
+            *error = fmax(*error, 1 - hypot(x - at_end(t, k, LAB_X), y - at_end(t, k, LAB_Y))
+                                      / (2 * disc_radius));
+    }
+    *harm = fmax(*harm, 2 * *error);
+}
+
+static void build_tiles(labScene *s, double speed)
+{
+    under_gravity(s, 0.6, (int)(50 * 60 / speed), 1);
+    open_scene(s);
+    for (int i = 0; i < 60; i++)
+        put(s, &(Put){ .x = i - 29.5, .y = -0.5, .width = 0.5, .height = 0.5 });
+    put(s, &(Put){ .x = -28, .y = 0.5, .radius = 0.5, .vx = speed, .spin = -2 * speed,
+                   .density = 1 });
+}
+
+/* what it has lost or won of its speed, and how far it has jumped or sunk, in radii */
+static void judge_tiles(const labTrace *t, double speed, double *error, double *harm)
+{
+    double off = 0;
+    for (int row = 0; row < t->rows; row++)
+        off = fmax(off, fabs(labAt(t, row, 60, LAB_Y) - 0.5) / 0.5);
+    *error = *harm = fmax(off, fabs(at_end(t, 60, LAB_VX) / speed - 1));
+}
+
+static void build_jointed(labScene *s, double chains)
+{
+    int n = (int)chains;
+    under_gravity(s, 0.6, 1320, 20);
+    open_scene(s);
+    put(s, &(Put){ .y = -1, .width = 100, .height = 1 });
+    put(s, &(Put){ .x = -4, .y = 15, .width = 0.5, .height = 18 });
+    put(s, &(Put){ .x = 4, .y = 15, .width = 0.5, .height = 18 });
+    for (int i = 0; i < 5 * n; i++)
+        put(s, &(Put){ .x = -2.5 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5), .y = 1 + 0.6 * (i / 5),
+                       .width = 0.25, .height = 0.1, .density = 1 });
+    for (int i = 0; i < 5 * n; i++)
+        if (i % 5 > 0) hinge(s, i + 2, i + 3, -2.75 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5),
+                             1 + 0.6 * (i / 5));
+}
+
+/* m/s, and lengths of a link */
+static void judge_jointed(const labTrace *t, double chains, double *error, double *harm)
+{
+    int last = t->rows - 1;
+    *error = *harm = 0;
+    for (int i = 0; i < 5 * (int)chains; i++) {
+        double v = hypot(at_end(t, i + 3, LAB_VX), at_end(t, i + 3, LAB_VY));
+        *error = fmax(*error, v);
+        if (i % 5 == 0) continue;
+        *error = fmax(*error, 2 * gap_between(t, last, i + 2, i + 3, 0.25));
+        for (int row = 0; row < t->rows; row++)
+            *harm = fmax(*harm, 2 * gap_between(t, row, i + 2, i + 3, 0.25));
+    }
+    *harm = fmax(*harm, *error);
+}
 const labExtreme labExtremeTable[] = {
     { "throw", "steps per second", "a ball on its parabola", { 15, 30, 60, 120, 240, 1000 },
       6, 3, build_throw, judge_throw },
@@ -1046,6 +1368,28 @@ const labExtreme labExtremeTable[] = {
       judge_free },
     { "coincident", "discs", "all in one place", { 2, 5, 10, 50, 200 }, 5, 3, build_coincident,
       judge_coincident },
+    { "gaps", "metres", "a bridge saved with open hinges", { 0, 1e-4, 1e-3, 4e-3, 0.02, 0.1 },
+      6, 3, build_gaps, judge_gaps },
+    { "wreck", "kg of the ball", "a ball on links of 50 g meets a wall",
+      { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3, build_wreck, judge_wreck },
+    { "bars", "m/s", "hinged bars fall on a floor", { 2, 8, 30, 100, 300, 1e3 }, 6, 3,
+      build_bars, judge_bars },
+    { "rod", "m/s", "a thin rod falls and turns", { 0, 5, 20, 50, 100, 200 }, 6, 3, build_rod,
+      judge_rod },
+    { "gas", "m/s", "discs fly in a box", { 1, 10, 50, 100, 200, 500 }, 6, 3, build_gas,
+      judge_gas },
+    { "landing-rate", "steps per second", "boxes land on boxes",
+      { 480, 240, 120, 60, 30, 15 }, 6, 3, build_landing_rate, judge_landing_rate },
+    { "card-rate", "steps per second", "cards of 2 mm stand", { 960, 480, 240, 120, 60, 30 }, 6,
+      3, build_card_rate, judge_cards },
+    { "landed", "kg", "a box falls on a plank on posts", { 10, 100, 1e3, 1e4, 1e5, 1e6 }, 6, 3,
+      build_landed, judge_landed },
+    { "bin", "density of the load", "discs under a load", { 1, 3, 10, 100, 1e3, 1e4 }, 6, 3,
+      build_bin, judge_bin },
+    { "tiles", "m/s", "a disc rolls over flush boxes", { 1, 2, 5, 10, 25, 50 }, 6, 3,
+      build_tiles, judge_tiles },
+    { "jointed", "chains", "chains fall into a yard", { 1, 3, 5, 10, 20, 40 }, 6, 3,
+      build_jointed, judge_jointed },
 };
 const int labExtremeCount = (int)(sizeof labExtremeTable / sizeof *labExtremeTable);
 

@@ -19,7 +19,11 @@ static void add_shape(b2Body *body, const peerShape *s)
     b2PolygonShape polygon;
     b2Vec2 corner[8];
     for (int i = 0; i < s->corners; i++) corner[i] = vec(s->corner[i]);
-    if (s->corners > 0) polygon.Set(corner, s->corners);
+    double thin = s->half[0] < s->half[1] ? s->half[0] : s->half[1];
+    if (thin > 0 && thin < (double)b2_linearSlop)       /* its hull would be a line */
+        polygon.SetAsBox((float)s->half[0], (float)s->half[1]);
+    else if (s->corners > 0)
+        polygon.Set(corner, s->corners);
     circle.m_p = vec(s->centre);
     circle.m_radius = (float)s->radius;
     def.shape = s->corners > 0 ? (b2Shape *)&polygon : (b2Shape *)&circle;

@@ -21,8 +21,9 @@ function addShape(body, s) {
   def.filter = filter;
   if (s.corners.length) {
     const hull = B.b2ComputeHull(s.corners.map(vec));
-    if (hull.count === 0) refuse('box2d: these corners have no hull');
-    return B.b2CreatePolygonShape(body, def, B.b2MakePolygon(hull, 0));
+    if (hull.count === 0 && !s.half) refuse('box2d: these corners have no hull');
+    return B.b2CreatePolygonShape(body, def, hull.count > 0 ? B.b2MakePolygon(hull, 0)
+      : B.b2MakeBox(...s.half));        // a thin one
   }
   const circle = new B.b2Circle();
   circle.center = vec(s.centre);

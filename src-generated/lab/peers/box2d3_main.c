@@ -26,8 +26,10 @@ static void add_shape(b2BodyId body, const peerShape *s)
     def.filter.maskBits = s->mask;
     if (s->corners > 0) {
         b2Hull hull = b2ComputeHull(corner, s->corners);
-        if (hull.count == 0) peerRefuse("box2d: these corners have no hull");
-        b2Polygon polygon = b2MakePolygon(&hull, 0);
+        if (hull.count == 0 && s->half[0] <= 0)
+            peerRefuse("box2d: these corners have no hull");
+        b2Polygon polygon = hull.count > 0 ? b2MakePolygon(&hull, 0)
+            : b2MakeBox((float)s->half[0], (float)s->half[1]);      /* a thin one */
         b2CreatePolygonShape(body, &def, &polygon);
     } else {
         b2CreateCircleShape(body, &def, &circle);

@@ -14,6 +14,7 @@ typedef struct peerShape {
     int    corners;             /* 0: a circle; else at most 8, counter-clockwise */
     double centre[2], radius;   /* of the circle, in the body's frame */
     double corner[8][2];        /* in the body's frame */
+    double half[2];             /* of a box that lies straight about its origin; else 0 */
     double density, friction, restitution;
     unsigned category, mask;    /* 16 bits */
     int    doubtful;            /* 1: the corners may be no polygon */

@@ -12,11 +12,14 @@ const vec = p => new planck.Vec2(p[0], p[1]);
 function addBody(b, bullet) {
   const body = world.createBody({ type: b.type, position: vec(b.position), angle: b.angle,
     fixedRotation: b.fixedRotation, bullet: bullet && b.type === 'dynamic' });
-  for (const s of b.shapes)
-    body.createFixture({ shape: s.corners.length ? new planck.Polygon(s.corners.map(vec))
+  for (const s of b.shapes) {
+    const thin = s.half && Math.min(...s.half) < planck.Settings.linearSlop;
+    body.createFixture({ shape: thin ? new planck.Box(...s.half)    // its hull would be a line
+      : s.corners.length ? new planck.Polygon(s.corners.map(vec))
       : new planck.Circle(vec(s.centre), s.radius), density: s.density,
       friction: s.friction, restitution: s.restitution, filterCategoryBits: s.category,
       filterMaskBits: s.mask });
+  }
   body.setLinearVelocity(vec(b.velocity));
   body.setAngularVelocity(b.spin);
   return body;

@@ -148,6 +148,8 @@ static void read_corners(const cJSON *item, const char *where, peerShape *s)
             turn(sign[i][0] * w, sign[i][1] * h, angle, s->centre, s->corner[i]);
         else
             pair(cJSON_GetArrayItem(list, i), where, s->corner[i]);
+    if (list == NULL && angle == 0 && s->centre[0] == 0 && s->centre[1] == 0)
+        s->half[0] = w, s->half[1] = h;
     if (s->radius != 0) peerRefuse("%s.radius: a rounded polygon", where);
 }
 

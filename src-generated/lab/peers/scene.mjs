@@ -66,6 +66,8 @@ function readShape(item, where) {
       turn(x * item.halfWidth, y * item.halfHeight, item.angle ?? 0, s.centre));
   else if (item.kind === 'polygon') s.corners = item.vertices;
   else if (item.kind !== 'circle') refuse(`${where}: a ${item.kind}`);
+  if (item.kind === 'box' && !item.angle && s.centre[0] === 0 && s.centre[1] === 0)
+    s.half = [item.halfWidth, item.halfHeight];         // it lies straight about its origin
   if (s.corners.length > 8) refuse(`${where}: more than 8 corners`);
   if (s.corners.length && s.radius !== 0) refuse(`${where}.radius: a rounded polygon`);
   return s;
