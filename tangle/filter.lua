@@ -185,7 +185,8 @@ local function chunk(k)
     local r = {}
     for _, d in ipairs(c.defs) do
       local users, uses = {}, near(d.uses)
-      if not html then                                  -- print: by other chapters
+      if not html then                                  -- print: by other chapters, and no more than eight names
+        if #r == 8 then r[9] = "\u{2026}" break end
         local far = {}
         for _, u in ipairs(uses) do if db.chunks[u].page ~= here then far[#far + 1] = u end end
         uses = far

@@ -2,7 +2,7 @@
 plot_height = 640
 load 'book/plots/style.gp'
 file = 'book/data/accuracy-peers-time.csv'
-set multiplot layout 2,3 margins 0.13,0.985,0.20,0.94 spacing 0.03,0.11
+set multiplot layout 2,3 margins 0.13,0.985,0.20,0.94 spacing 0.045,0.11
 set logscale xy
 set termoption enhanced
 set format x '10^{%T}'

@@ -3,7 +3,7 @@ plot_height = 620
 load 'book/plots/style.gp'
 if (!exists("file")) file = 'book/data/accuracy-solvers.csv'
 if (!exists("cost")) { cost = 4; err = 5; fail = 10; what = 'passes in a frame' }
-set multiplot layout 2,3 margins 0.13,0.985,0.19,0.94 spacing 0.03,0.11
+set multiplot layout 2,3 margins 0.13,0.985,0.19,0.94 spacing 0.045,0.11
 set logscale xy
 set termoption enhanced
 set format x '10^{%T}'
