@@ -223,6 +223,23 @@ TEST(the_menu_does_what_it_says)
     play_end(&p);
 }
 
+TEST(the_menu_is_about_all_that_are_chosen)
+{
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 60\nkey p\nsteps 0\nframe\nkey l\nmove 540 180\nframe\ndown left\nframe\n"
+                 "move 780 180\nframe\nmove 780 590\nframe\nmove 540 590\nframe\nup left\nframe\nframe\n");
+    int bodies = (int)play_fact(&p, "bodies", 0), chosen = (int)play_fact(&p, "said bodies chosen:", 0);
+    double mass = play_fact(&p, "body-numbers", 0);
+    assert_true(chosen > 3);
+    from_menu(&p, "body 6", "Half each mass");
+    assert_true(fabs(play_fact(&p, "body-numbers", 0) - mass / 2) < 1e-5 * mass);
+    from_menu(&p, "body 5", "Remove them");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies - chosen);
+    play_run(&p, "key undo\nframe\n");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
+    play_end(&p);
+}
+
 TEST(a_click_beside_the_menu_closes_it_and_a_pull_opens_none)
 {
     play p = play_open(1100, 700, 1);

@@ -267,3 +267,141 @@ TEST(nothing_is_left_of_a_refused_change_and_the_last_63_are_kept)
     assert_true(play_says(&p, "said there is nothing to undo"));
     play_end(&p);
 }
+
+/* ---- What would throw work away is taken back as well. -------------------------------------------------------------------------- */
+static void go_back(play *p, int often)
+{
+    int step = (int)play_fact(p, "steps", 0);
+    for (int i = 0; i < often; i++) play_run(p, "steps 0\nkey ,\nframe\n");
+    assert_true((int)play_fact(p, "steps", 0) < step);
+}
+static void taken_back(play *p, uint64_t want, const char *what)
+{
+    play_run(p, "steps 0\nkey undo\nframe\n");
+    if (hash_of(p) != want) fail_msg("%s: Undo does not bring back what was there", what);
+}
+
+TEST(a_file_that_takes_the_place_of_work_is_undone)
+{
+    static const char *const keys[] = { "a", "z" }, *const writes[] = { "w", "u" }, *const scenes[] = { "tower", "pyramid" };
+    for (int text = 0; text < 2; text++) for (int other = 0; other < 2; other++) {
+        play p;
+        char script[100];
+        begin_plain(&p, 10);
+        p.file.bytes = malloc(GAME_FILE_BYTES), p.file.capacity = GAME_FILE_BYTES;
+        p.memory.file = &p.file;
+        play_run(&p, "steps 0\nframe\n");
+        for (int k = 0; k < 4 && p.file.wish; k++) {                                /* its settings: not to be had */
+            p.file.answer = GAME_FILE_FAILED;
+            play_run(&p, "steps 0\nframe\n");
+        }
+        snprintf(script, sizeof script, "steps 0\nkey %s\nframe\n", writes[text]);
+        play_run(&p, script);
+        if (text && !p.file.wish) { play_end(&p); continue; }                       /* built without cJSON */
+        assert_true(p.file.wish == GAME_FILE_KEEP || p.file.wish == GAME_FILE_EXPORT);
+        uint64_t kept = hash_of(&p);
+        p.file.answer = GAME_FILE_DONE;
+        snprintf(script, sizeof script, "scene %s\nsteps 0\nframe\nkey p\nframe\n", scenes[other]);
+        play_run(&p, other ? script : "steps 0\nframe\n");
+        p.file.answer = GAME_FILE_FAILED;
+        size_t size = p.file.size;
+        char *bytes = malloc(size);
+        memcpy(bytes, p.file.bytes, size);
+        play_run(&p, "steps 0\nframe\n");
+        place(&p);
+        place(&p);
+        uint64_t work = hash_of(&p);
+        assert_true(work != kept);
+        for (int k = 0; k < 4 && p.file.wish; k++) {
+            p.file.answer = GAME_FILE_FAILED;
+            play_run(&p, "steps 0\nframe\n");
+        }
+        snprintf(script, sizeof script, "steps 0\nkey %s\nframe\n", keys[text]);
+        play_run(&p, script);
+        assert_int_equal(p.file.wish, GAME_FILE_FETCH);
+        memcpy(p.file.bytes, bytes, size);
+        p.file.size = size, p.file.answer = GAME_FILE_DONE;
+        play_run(&p, "steps 0\nframe\n");
+        uint64_t loaded = hash_of(&p);
+        assert_true(loaded != work);
+        if (!text) assert_true(loaded == kept);
+        taken_back(&p, work, text ? "a scene as text" : "a saved world");
+        assert_int_equal(strncmp(play_line(&p, "scene") + 6, scenes[other], strlen(scenes[other])), 0);
+        play_run(&p, "steps 0\nkey redo\nframe\n");
+        if (hash_of(&p) != loaded) fail_msg("Redo does not load again");
+        free(bytes);
+        play_end(&p);
+    }
+}
+
+TEST(a_replay_is_undone)
+{
+    play p;
+    begin_plain(&p, 10);
+    play_run(&p, "steps 0\nkey f\nframe\n");
+    hash_after(&p, 4);
+    play_run(&p, "steps 0\nkey f\nframe\n");
+    place(&p);
+    uint64_t work = hash_after(&p, 2);
+    play_run(&p, "steps 1\nkey k\nwait 2\nkey k\nwait 2\n");                            /* and begun anew half way */
+    assert_true(hash_of(&p) != work);
+    taken_back(&p, work, "a replay");
+    taken_back(&p, expected(NULL, 14, 0), "the change before it");
+    play_end(&p);
+}
+
+TEST(the_present_is_there_again_after_a_look_back)
+{
+    for (int change = 0; change < 3; change++) {                                    /* a look; a change there; time runs on from there */
+        play p;
+        begin_plain(&p, 20);
+        place(&p);
+        uint64_t work = hash_after(&p, 21);
+        int step = (int)play_fact(&p, "steps", 0);
+        go_back(&p, 5);
+        if (change == 1) place(&p), hash_after(&p, 3);
+        if (change == 2) hash_after(&p, 3);
+        if (change == 1) play_run(&p, "steps 0\nkey undo\nframe\n");
+        taken_back(&p, work, change ? "a change made back in time" : "a look back");
+        assert_int_equal((int)play_fact(&p, "steps", 0), step);
+        hash_after(&p, 3);
+        play_run(&p, "steps 0\nkey undo\nframe\n");
+        if (hash_of(&p) != expected(NULL, 20, 0)) fail_msg("Undo does not go on to the change before");
+        play_run(&p, "steps 0\nkey redo\nframe\n");
+        if (hash_of(&p) != work) fail_msg("Redo does not come back");
+        for (int i = 0; i < 30; i++) {                                              /* the ring has this world's past alone */
+            play_run(&p, "steps 0\nkey ,\nframe\n");
+            int now = (int)play_fact(&p, "steps", 0);
+            play q;
+            begin_plain(&q, now < 20 ? now : 20);
+            if (now > 20) place(&q);
+            uint64_t was = now > 20 ? hash_after(&q, now - 20) : hash_of(&q);
+            if (now != 20 && hash_of(&p) != was) fail_msg("case %d, step %d: the bar shows another world's past", change, now);
+            play_end(&q);
+            if (now < 15) break;
+        }
+        play_end(&p);
+    }
+}
+
+TEST(a_body_is_moved_while_time_stands_still)
+{
+    play p;
+    double from[2], to[2];
+    begin_plain(&p, 30);
+    uint64_t before = hash_of(&p);
+    press_at_body(&p, "g", 6, 2, 2);
+    if (hash_of(&p) != before) fail_msg("a click has moved the body");
+    play_run(&p, "steps 0\nkey undo\nframe\n");
+    assert_true(play_says(&p, "said there is nothing to undo"));
+    spot(&p, 6, from);
+    press_at_body(&p, "g", 6, 150, -40);
+    spot(&p, 6, to);
+    assert_near(to[0] - from[0], 150, 0.5);
+    assert_near(to[1] - from[1], -40, 0.5);
+    assert_int_equal((int)play_fact(&p, "steps", 0), 30);
+    taken_back(&p, before, "a body moved");
+    spot(&p, 6, to);
+    assert_near(to[0], from[0], 0.01);
+    play_end(&p);
+}

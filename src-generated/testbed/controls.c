@@ -73,6 +73,8 @@ static void use_tool(game *g, bool over)
     if ((!(g->input->held & GAME_BUTTON_LEFT) && !flick) ||
         !wfBodyIsValid(&g->world, s->held))
         s->held = (wfBodyId){ 0 };
+    if (s->held.index && s->paused && !g->scene->alias)
+        tool_carry(&w, s->held, s->grip, s->turning ? &s->turn_to : NULL);
 }
 
 static void choose_pair(game *g)
@@ -132,8 +134,7 @@ void game_obey_mouse(game *g, bool over)
     find_hover(g, over);
     use_tool(g, over);
     ask_for_menu(g, over);
-    s->mouse_x = in->mouse_x;
-    s->mouse_y = in->mouse_y;
+    s->mouse_x = in->mouse_x, s->mouse_y = in->mouse_y;
 }
 
 /* obey the mark */
@@ -153,8 +154,7 @@ void game_obey_mark(game_state *s, game_input *in)
 {
     int32_t kept = 0;
     if (in->mouse_x != s->hand_x || in->mouse_y != s->hand_y) s->mark = 0;
-    s->hand_x = in->mouse_x;
-    s->hand_y = in->mouse_y;
+    s->hand_x = in->mouse_x, s->hand_y = in->mouse_y;
     if (!s->mark || s->ui.focus || s->ui.typing) return;
     for (int32_t i = 0; i < in->key_count && i < GAME_MAX_KEYS; i++) {
         if (in->keys[i] == GAME_KEY_ENTER) {
@@ -166,8 +166,7 @@ void game_obey_mark(game_state *s, game_input *in)
         }
     }
     in->key_count = kept;
-    in->mouse_x = s->mark_x;
-    in->mouse_y = s->mark_y;
+    in->mouse_x = s->mark_x, in->mouse_y = s->mark_y;
     if (s->mark_down) in->held |= GAME_BUTTON_LEFT;
 }
 

@@ -92,8 +92,10 @@ void game_load_world(game *g)
     wfMemory spare = spare_memory(g, SPARE);
     if (whole)
         result = wfLoadFromBytes(f->bytes + SAVE_HEAD, f->size - SAVE_HEAD, &spare, &made);
-    if (result == WF_OK && row >= 0 && row != g->state->row) game_open_scene(g, row);
-    if (result == WF_OK) result = game_adopt(g, &made);
+    int32_t to = row < 0 ? g->state->row : row, moments = 0;
+    if (result == WF_OK) moments = game_keep_for_undo(g, to, true);
+    if (result == WF_OK && to != g->state->row) game_open_scene(g, to);
+    if (result == WF_OK) result = game_adopt(g, &made, moments);
     wfPoolRewind(&g->scratch, mark);
     game_tell(g, result != WF_OK, result ? wfResultText(result) :
               row < 0 ? "loaded, into this scene: its own is not here" :
@@ -133,7 +135,8 @@ void game_read_text(game *g)
     wfResult result = wfWorldOfText((const char *)f->bytes, f->size, &spare, &made, &e);
     snprintf(line, sizeof line, "scene.json, line %d: %.70s %.90s", (int)e.line, e.where,
              e.what);
-    if (result == WF_OK) result = game_adopt(g, &made);
+    if (result == WF_OK)
+        result = game_adopt(g, &made, game_keep_for_undo(g, g->state->row, true));
     wfPoolRewind(&g->scratch, mark);
     game_tell(g, result != WF_OK, result ? line : "read: a world from scene.json");
 }

@@ -108,9 +108,7 @@ static void begin_game(game *g)
 {
     game_state *s = g->state;
     if (s->begun) return;
-    s->begun = 1;
-    s->size = sizeof *s;
-    s->rate = 1;
+    s->begun = 1, s->rate = 1, s->size = sizeof *s;
     s->narrow = s->width < LIST_ROOM;
     s->list = s->bar = !s->narrow;
     s->head = HEAD;

@@ -32,7 +32,8 @@ enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
 enum { UNDO_BYTES = 8 * 1024 * 1024, UNDO_MOST = 64 };
-/* Where a moment lies in the bytes of undo, how long it is, its step, its scene. */
+/* Where a moment lies in the bytes of undo, how long it is, the step up to which what came
+ * after has the same past, its scene. */
 typedef struct undo_moment { size_t at, size; uint64_t step; int32_t row; } undo_moment;
 enum { STAGES = 64 };               /* of a step, at most, that are timed */
 enum { OTHERS = 3, OTHER_BYTES = 4 * 1024 * 1024 };
@@ -183,7 +184,7 @@ void game_look_home(game *g);
 void game_show_overlays(game *g);
 void game_press_overlay(game *g, uint32_t bit);
 void game_open_scene(game *g, int row);
-wfResult game_adopt(game *g, const wfWorld *made);
+wfResult game_adopt(game *g, const wfWorld *made, int32_t moments);
 void game_go_back(game *g, uint64_t before);
 void game_stay_there(game *g);
 void game_forget_after(game *g, uint64_t step);
@@ -195,9 +196,9 @@ enum { WISHES = sizeof((game_state *)0)->changed + sizeof((game_state *)0)->want
 /* Keeps the world behind undo's other moments; false when it doesn't fit at all. */
 bool game_keep_world(game *g);
 bool game_was_changed(const game_state *s);             /* this scene, by its user */
-/* Another scene, or the same anew, takes the place of this: keeps what was changed in it,
- * and returns how many moments there are then. */
-int32_t game_keep_for_undo(game *g, int row);
+/* Another world takes the place of this: keeps it if it was changed, or in any case, and
+ * returns how many moments there are then. */
+int32_t game_keep_for_undo(game *g, int row, bool always);
 wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
 bool game_drives(const game *g, uint32_t bit);          /* this key drives the scene */

@@ -11,8 +11,7 @@
 camera game_home(const game *g)
 {
     camera home = g->state->camera;
-    home.x = (float)g->scene->viewX;
-    home.y = (float)g->scene->viewY;
+    home.x = (float)g->scene->viewX, home.y = (float)g->scene->viewY;
     home.height = (float)g->scene->viewHeight;
     home.shape = (float)g->scene->viewShape;
     return home;
@@ -68,7 +67,7 @@ void game_open_scene(game *g, int row)
 {
     game_state *s = g->state;
     row = (row + game_scene_count(g)) % game_scene_count(g); /* after the last, the first */
-    int32_t before = s->undo_at, moments = game_keep_for_undo(g, row);
+    int32_t before = s->undo_at, moments = game_keep_for_undo(g, row, false);
     s->tools.said[0] = 0;                                   /* it was about another world */
     s->tools.refused = s->tools.probed = s->tools.down = s->tools.points = 0;
     bool same = s->row == row && s->opened;
@@ -196,7 +195,7 @@ wfResult game_make_room(void *context, uint32_t modules)
 }
 
 /* Takes over a world that was made in the scratch memory. */
-wfResult game_adopt(game *g, const wfWorld *made)
+wfResult game_adopt(game *g, const wfWorld *made, int32_t moments)
 {
     wfWorldDef def;
     size_t bytes, transient;
@@ -213,7 +212,8 @@ wfResult game_adopt(game *g, const wfWorld *made)
     g->state->posed = 0;
     g->state->held = (wfBodyId){ 0 };
     g->state->tools.count = 0;
-    g->state->undo_at = g->state->undo_count = g->state->editing = 0;
+    g->state->undo_at = g->state->undo_count = moments;
+    g->state->editing = g->state->back = 0;
     if (g->state->tape != TAPE_EMPTY) g->state->tape = TAPE_DONE;
     g->noted = NULL;
     wfRewindInit(&g->ring, g->ring.bytes, RING_BYTES);
@@ -227,10 +227,14 @@ wfResult game_adopt(game *g, const wfWorld *made)
 void game_go_back(game *g, uint64_t before)
 {
     wfRewind copy = g->ring;
-    if (before == 0 || wfRewindTo(&copy, &g->world, before - 1) != WF_OK) return;
-    g->state->back = g->state->paused = 1;
-    g->state->result = WF_OK;
-    g->state->held = (wfBodyId){ 0 };
+    game_state *s = g->state;
+    bool all = s->undo_at == s->undo_count && game_was_changed(s) && !g->scene->alias;
+    if (before == 0) return;
+    if (!s->back && all && game_keep_world(g)) s->undo_at = s->undo_count;
+    if (wfRewindTo(&copy, &g->world, before - 1) != WF_OK) return;
+    s->back = s->paused = 1;
+    s->result = WF_OK;
+    s->held = (wfBodyId){ 0 };
 }
 
 /* The ring forgets all moments after this step; the world stays as it is. */
@@ -257,13 +261,17 @@ void game_forget_after(game *g, uint64_t step)
 /* Time runs on from where the world stands: what came after is forgotten. */
 void game_stay_there(game *g)
 {
-    if (!g->state->back) return;
-    game_forget_after(g, wfWorldSteps(&g->world));
-    g->state->back = 0;
-    if (g->state->tape != TAPE_EMPTY) g->state->tape = TAPE_DONE;
+    game_state *s = g->state;
+    uint64_t now = wfWorldSteps(&g->world);
+    undo_moment *last = &s->undo[s->undo_at > 0 ? s->undo_at - 1 : 0];
+    if (!s->back) return;
+    game_forget_after(g, now);
+    if (now < last->step) last->step = now;             /* so much is common from here */
+    s->back = 0;
+    if (s->tape != TAPE_EMPTY) s->tape = TAPE_DONE;
     g->noted = NULL;
     game_begin_others(g);
-    g->state->plots.count = 0;
+    s->plots.count = 0;
 }
 
 static void keep_wishes(game *g)

@@ -72,20 +72,21 @@ void game_open_menu(game *g, float x, float y)
 {
     game_state *s = g->state;
     if (!s->hover.index) return;
-    tool_choose(&s->tools, s->hover);
+    tool_lead(&s->tools, s->hover);
     s->held = (wfBodyId){ 0 };
     s->menu = 1;
-    s->menu_x = x / s->scale;
-    s->menu_y = y / s->scale;
+    s->menu_x = x / s->scale, s->menu_y = y / s->scale;
 }
 
 void game_body_menu(ui *u, game *g)
 {
-    static const struct { const char *name; void (*act)(game *g, wfBodyId id); } row[] = {
-        { "Remove it", menu_remove }, { "Copy it", menu_copy },
-        { "Freeze it, or free it", menu_freeze }, { "Twice the mass", menu_heavier },
-        { "Half the mass", menu_lighter }, { "Next colour", menu_colour },
-        { "Follow it, or don't", menu_follow }, { "Plot it", menu_plot } };
+    static const struct { const char *one, *all; void (*act)(game *, wfBodyId); } row[] = {
+        { "Remove it", "Remove them", menu_remove }, { "Copy it", 0, menu_copy },
+        { "Freeze it, or free it", "Freeze or free them", menu_freeze },
+        { "Twice the mass", "Twice each mass", menu_heavier },
+        { "Half the mass", "Half each mass", menu_lighter },
+        { "Next colour", "Next colours", menu_colour },
+        { "Follow it, or don't", 0, menu_follow }, { "Plot it", 0, menu_plot } };
     enum { ROWS = sizeof row / sizeof *row };
     game_state *s = g->state;
     wfBodyId id = s->tools.count ? s->tools.chosen[0] : (wfBodyId){ 0, 0 };
@@ -95,11 +96,14 @@ void game_body_menu(ui *u, game *g)
     float x = s->menu_x + w > s->width ? s->width - w : s->menu_x;
     float y = s->menu_y + h > s->height ? s->height - h : s->menu_y;
     ui_box(u, x, y, w, h, WF_INK_LINE, WF_INK_PAPER);
-    for (int i = 0; i < ROWS; i++)
-        if (ui_row(u, row[i].name, x + 4, y + 4 + each * (float)i, w - 8, false)) {
-            row[i].act(g, id);
-            s->menu = 0;
-        }
+    for (int i = 0; i < ROWS; i++) {
+        bool all = s->tools.count > 1 && row[i].all;
+        if (!ui_row(u, all ? row[i].all : row[i].one, x + 4, y + 4 + each * (float)i, w - 8,
+                    false)) continue;
+        row[i].act(g, id);
+        for (int k = 1; all && k < s->tools.count; k++) row[i].act(g, s->tools.chosen[k]);
+        s->menu = 0;
+    }
     if (u->click && !u->draw && !ui_inside(u, x, y, w, h)) s->menu = 0;
     u->over = true;
 }

@@ -49,12 +49,12 @@ bool game_has_work(const game_memory *memory)
     return s->begun && s->size == sizeof *s && game_was_changed(s);
 }
 
-int32_t game_keep_for_undo(game *g, int row)
+int32_t game_keep_for_undo(game *g, int row, bool always)
 {
     game_state *s = g->state;
     bool tried = game_scene_at(g, row)->alias || (s->opened && g->scene->alias);
     if (tried) return 0;                /* each try is new */
     s->undo_count = s->undo_at;
-    if (s->opened && game_was_changed(s)) game_keep_world(g);
+    if (s->opened && (always || game_was_changed(s))) game_keep_world(g);
     return s->undo_count;
 }

@@ -47,8 +47,12 @@ void game_press_replay(game *g)
         game_tell(g, true, "there is nothing on the tape; F records");
         return;
     }
+    bool again = s->tape == TAPE_REPLAYING;             /* what was there is kept already */
+    int32_t moments = again ? s->undo_at : game_keep_for_undo(g, s->tape_row, true);
     if (s->row != s->tape_row) game_open_scene(g, s->tape_row);
     s->result = rewind_tape(g);
+    s->undo_at = s->undo_count = moments;
+    s->editing = 0;
     s->tape = s->result == WF_OK ? TAPE_REPLAYING : TAPE_DONE;
     g->noted = NULL;
     s->replay_at = s->replay_left = s->played = 0;

@@ -63,6 +63,14 @@ void tool_choose(tool_memory *m, wfBodyId id)
     m->chosen[0] = id;
 }
 
+void tool_lead(tool_memory *m, wfBodyId id)
+{
+    wfBodyId first = m->chosen[0];
+    if (!tool_is_chosen(m, id)) tool_choose(m, id);
+    for (int32_t i = 1; i < m->count; i++)
+        if (m->chosen[i].index == id.index) m->chosen[i] = first, m->chosen[0] = id;
+}
+
 void tool_forget(tool_work *w)
 {
     tool_memory *m = w->memory;
@@ -112,6 +120,24 @@ static void choose_one(tool_work *w)
 {
     tool_memory *m = w->memory;
     if (!tool_is_chosen(m, m->body)) tool_choose(m, m->body);
+}
+
+void tool_carry(tool_work *w, wfBodyId id, wfVec2 grip, const wfReal *angle)
+{
+    tool_memory *m = w->memory;
+    const wfBodyState *b = &wfWorldBodies(w->world).state[wfBodyIndex(w->world, id)];
+    wfVec2 was = wfApply(wfBodyTransform(b), grip);
+    wfReal turn = angle ? *angle - b->angle : 0, still = 6 * m->unit;
+    wfInput in = { .kind = WF_INPUT_TRANSFORM, .index = id.index,
+                   .generation = id.generation };
+    wfBodyInfo info;
+    if (turn == 0 && wfLength(wfSub(m->at, m->from)) <= still &&
+        wfLength(wfSub(was, m->from)) <= still) return;
+    if (wfGetBody(w->world, id, &info) != WF_OK) return;
+    in.with.at = wfAdd(m->at, wfRotate(wfRotation(turn), wfSub(info.position, was)));
+    in.with.x = info.angle + turn;
+    wfResult result = tool_give(w, 0, &in, NULL);
+    if (result != WF_OK) say(m, result, "not moved");
 }
 
 /* place a body */

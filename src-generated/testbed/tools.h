@@ -85,6 +85,7 @@ const char *tool_joint_text(int row);   /* of a row of the choice of joints */
 /* Forgets who was removed meanwhile; chooses one body alone (index 0: nobody). */
 void tool_forget(tool_work *w);
 void tool_choose(tool_memory *m, wfBodyId id);
+void tool_lead(tool_memory *m, wfBodyId id);    /* the first of the chosen, or it alone */
 bool tool_is_chosen(const tool_memory *m, wfBodyId id);
 /* The body that is meant by a place: index 0: none. */
 wfBodyId tool_pick(const wfWorld *world, wfVec2 at, wfReal reach);
@@ -92,4 +93,6 @@ wfBodyId tool_pick(const wfWorld *world, wfVec2 at, wfReal reach);
 void tool_remove_chosen(tool_work *w);
 /* Makes another body like this one, beside it, and chooses it. */
 void tool_copy(tool_work *w, wfBodyId id);
+/* Puts a body so that its grip, in its frame, is at the mouse; NULL: it does not turn. */
+void tool_carry(tool_work *w, wfBodyId id, wfVec2 grip, const wfReal *angle);
 #endif

@@ -91,7 +91,8 @@ static void go_to(game *g, int32_t to, uint64_t common)
     s->back = 0;
     if (s->tape != TAPE_EMPTY) s->tape = TAPE_DONE;
     g->noted = NULL;
-    game_forget_after(g, common);
+    uint64_t now = wfWorldSteps(&g->world);
+    game_forget_after(g, now < common ? now : common);
     game_begin_others(g);
     s->plots.count = 0;
 }
