@@ -80,7 +80,7 @@ static wfReal deepest(const wfManifold *m)
     return depth;
 }
 
-/* How fast they will be, who now approach with u, when their gap has closed, m/s. */
+/* The speed at which two bodies meet that now approach with u, m/s. */
 static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal u)
 {
     wfReal gap = -deepest(&c->manifold);

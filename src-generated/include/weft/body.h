@@ -30,7 +30,7 @@ WF_STATIC_ASSERT(sizeof(wfBodyState) == 8 * sizeof(wfReal), "no padding: two fil
 typedef struct wfBodyForces {
     wfVec2 force;           /* N: the sum of all forces                                   */
     wfReal torque;          /* N m: the sum of all torques about the centre of mass       */
-    wfReal rate, swing;     /* 1/s, 1/s^2: what brakes, what is stiff: wfAccumulateForces */
+    wfReal rate, swing;     /* 1/s, 1/s^2: how fast forces brake, how stiff they are */
 } wfBodyForces;
 
 /* What is read once a step or less. */
