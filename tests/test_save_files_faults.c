@@ -397,3 +397,35 @@ TEST(numbers_are_written_right)
     }
     wfDestroyWorld(&w);
 }
+
+/* What cannot move catches the overflow of what falls on it, and is no culprit: the box is named, whichever of five it is. */
+TEST(a_step_names_the_body_that_was_pushed_and_not_the_floor)
+{
+    for (int who = 0; who < 5; who++) {
+        wfWorldDef def = wfDefaultWorldDef();
+        def.bodyCapacity = 6;
+        wfWorld w;
+        wfBodyId box[5];
+        assert_ok(wfCreateWorld(&def, &w));
+        wfBodyDef d = wfDefaultBodyDef();
+        d.type = WF_STATIC;
+        d.position = wfV2(0, -1);
+        assert_ok(wfMakeBox(20, 1, &d.shape));
+        assert_ok(wfAddBodyToWorld(&w, &d, NULL));
+        d.type = WF_DYNAMIC;
+        assert_ok(wfMakeBox(WF_R(0.5), WF_R(0.5), &d.shape));
+        for (int i = 0; i < 5; i++) {
+            d.position = wfV2((wfReal)(3 * i - 6), WF_R(0.5));
+            assert_ok(wfAddBodyToWorld(&w, &d, &box[i]));
+        }
+        for (int i = 0; i < 30; i++) assert_ok(wfStepWorld(&w));
+        assert_ok(wfSetBodyVelocity(&w, box[who], wfV2(WF_HUGE / 2, WF_HUGE / 4), 0));
+        wfResult result = WF_OK;
+        for (int i = 0; i < 100 && result == WF_OK; i++) result = wfStepWorld(&w);
+        char name[24];
+        snprintf(name, sizeof name, "bodies[%d]", (int)wfBodyIndex(box[who]));
+        if (strcmp(wfLastFault(&w)->field, name) != 0) fail_msg("box %d: %s: %s, not %s", who, wfResultName(result), wfLastFault(&w)->text, name);
+        wfDestroyWorld(&w);
+        assert_int_not_equal(result, WF_OK);
+    }
+}

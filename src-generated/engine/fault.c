@@ -176,17 +176,33 @@ static bool lacks_contacts(const struct wfStep *s, const wfHeader *h)
     return contacts;
 }
 
+/* The body that can move and is not finite any more, else the one that went furthest.
+ * (What cannot move was not pushed: it caught the overflow of what touches it.) */
+static int32_t lost_body(const struct wfStep *s)
+{
+    int32_t lost = -1;
+    wfReal most = 0;
+    for (int32_t i = 0; s->state != NULL && i < s->count; i++) {
+        const wfBodyState *b = &s->state[i];
+        if (!(b->invMass > 0) && !(b->invInertia > 0)) continue;
+        if (!wfBodyIsFinite(b)) return i;
+        wfVec2 way = wfSub(b->p, s->b.state[i].p);
+        wfReal far = wfMaxR(wfAbs(way.x), wfAbs(way.y));
+        if (far > most) most = far, lost = i;
+    }
+    return lost;
+}
+
 void wfNoteStep(const struct wfStep *s, wfResult result)
 {
-    int32_t i = 0;
     /* note what the step had too little room for */
     const wfHeader *h = s->b.head;
     bool contacts = lacks_contacts(s, h);
     int32_t room = contacts ? h->contactCapacity : h->pairCapacity;
     if (result == WF_ERROR_FULL)
         wfRefuseFull(&s->b, contacts ? "contactCapacity" : "pairCapacity", room, room + 1);
-    while (s->state != NULL && i < s->count && wfBodyIsFinite(&s->state[i])) i++;
-    if (s->state != NULL && i < s->count)
+    int32_t i = result == WF_ERROR_NOT_FINITE || result == WF_ERROR_RANGE ? lost_body(s) : -1;
+    if (i >= 0)
         wfRefuseOne(&s->b, result, "bodies[]", i,
                     "it was pushed too hard: look at its forces, mass and speed");
     wfRefuse(&s->b, result, "", NULL);

@@ -95,12 +95,18 @@ static double at_end(const labTrace *t, int body, int field)
     return labAt(t, t->rows - 1, body, field);
 }
 
+/* what was measured, as a part of what is exact */
+static void judge_part(double measured, double exact, double *error, double *harm)
+{
+    *error = fabs(measured / exact - 1);
+    *harm = 2 * *error;
+}
+
 /* extremes */
 static void throw_ball(labScene *s)
 {
-    s->gravity = 10;
-    s->steps = (int)(2 / s->dt + 0.5);
-    s->every = s->steps;
+    int steps = (int)(2 / s->dt + 0.5);
+    under_gravity(s, 0, steps, steps);
     open_scene(s);
     put(s, &(Put){ .vx = 5, .vy = 10, .radius = 0.5, .density = 1 });
 }
@@ -184,9 +190,7 @@ static void build_bounces(labScene *s, double n)
 
 static void judge_bounces(const labTrace *t, double n, double *error, double *harm)
 {
-    double peak = peak_after(t, 2 * n - 0.5) / 5;
-    *error = fabs(peak - 1);
-    *harm = 2 * fabs(peak - 1);
+    judge_part(peak_after(t, 2 * n - 0.5), 5, error, harm);
 }
 
 static void build_hops(labScene *s, double n)
@@ -199,9 +203,7 @@ static void build_hops(labScene *s, double n)
 static void judge_hops(const labTrace *t, double n, double *error, double *harm)
 {
     double seen = n > 100 ? 25 : 0.5;
-    double peak = peak_after(t, labTime(t, t->rows - 1) - seen) / 0.2;
-    *error = fabs(peak - 1);
-    *harm = 2 * *error;
+    judge_part(peak_after(t, labTime(t, t->rows - 1) - seen), 0.2, error, harm);
 }
 
 static double fall_time(double height) { return sqrt(2 * height / 10); }
@@ -214,9 +216,7 @@ static void build_heights(labScene *s, double height)
 
 static void judge_heights(const labTrace *t, double height, double *error, double *harm)
 {
-    double peak = peak_after(t, 9.2 * fall_time(height)) / height;
-    *error = fabs(peak - 1);
-    *harm = 2 * *error;
+    judge_part(peak_after(t, 9.2 * fall_time(height)), height, error, harm);
 }
 
 static double bounced(double height, double e, double t)    /* its height at that time */
@@ -386,10 +386,8 @@ static void judge_plates(const labTrace *t, double speed, double *error, double 
 
 static void build_slide(labScene *s, double mu)
 {
-    s->gravity = 10;
-    s->friction = mu;
-    s->steps = mu > 0 ? (int)(60 * (1 / mu + 1)) : 600;
-    s->every = 1 + s->steps / 100;
+    int steps = mu > 0 ? (int)(60 * (1 / mu + 1)) : 600;
+    under_gravity(s, mu, steps, 1 + steps / 100);
     open_scene(s);
     put(s, &(Put){ .y = -1, .width = 1000, .height = 1 });
     put(s, &(Put){ .y = 0.25, .vx = 10, .width = 0.5, .height = 0.25, .density = 1,
@@ -438,10 +436,8 @@ static double slip_rate(double share)                       /* m/s^2, down the s
 
 static void build_slip(labScene *s, double share)
 {
-    s->gravity = 10;
-    s->friction = share * slip_slope;
-    s->steps = share < 1 ? (int)(60 * sqrt(10 / slip_rate(share))) : 600;
-    s->every = 1 + s->steps / 100;
+    int steps = share < 1 ? (int)(60 * sqrt(10 / slip_rate(share))) : 600;
+    under_gravity(s, share * slip_slope, steps, 1 + steps / 100);
     put_slope(s, slip_slope, &(Put){ .width = 1, .height = 0.25, .density = 1 });
 }
 
@@ -504,24 +500,16 @@ static double tip_rate(double at, double rate, double with)
 static void build_tip(labScene *s, double share)
 {
     double over = atan(share / 2) - atan(0.5);
-    s->gravity = 10;
-    s->friction = 2;
-    s->steps = share < 1 ? 600 : steps_to_fall(tip_rate, over, sqrt(1.25), 0.5);
+    under_gravity(s, 2, share < 1 ? 600 : steps_to_fall(tip_rate, over, sqrt(1.25), 0.5),
+                  1);
     put_slope(s, share / 2, &(Put){ .width = 0.5, .height = 1, .density = 1 });
-}
-
-/* how far it turned against how far it should */
-static void judge_turn(double turned, double exact, double *error, double *harm)
-{
-    *error = fabs(turned / exact - 1);
-    *harm = 2 * *error;
 }
 
 static void judge_tip(const labTrace *t, double share, double *error, double *harm)
 {
     double over = atan(share / 2) - atan(0.5), time = labTime(t, t->rows - 1);
     if (share > 1)
-        judge_turn(at_end(t, 1, LAB_ANGLE) - labAt(t, 0, 1, LAB_ANGLE),
+        judge_part(at_end(t, 1, LAB_ANGLE) - labAt(t, 0, 1, LAB_ANGLE),
                    fallen(tip_rate, over, sqrt(1.25), time) - over, error, harm);
     else *error = *harm = moved(t, 1) / 2;
 }
@@ -565,7 +553,7 @@ static void judge_ladder(const labTrace *t, double share, double *error, double 
 {
     double time = labTime(t, t->rows - 1), mu = share * ladder_friction();
     if (share < 1)
-        judge_turn(at_end(t, 2, LAB_ANGLE) - labAt(t, 0, 2, LAB_ANGLE),
+        judge_part(at_end(t, 2, LAB_ANGLE) - labAt(t, 0, 2, LAB_ANGLE),
                    ladderLean - fallen(ladder_rate, ladderLean, mu, time), error, harm);
     else *error = *harm = moved(t, 2) / (2 * ladder_half);
 }
@@ -659,10 +647,7 @@ static void judge_cards(const labTrace *t, double storeys, double *error, double
 static void build_soak(labScene *s, double steps)
 {
     double a = atan(0.2);
-    s->gravity = 10;
-    s->friction = 0.5;
-    s->steps = (int)steps;
-    s->every = s->steps / 100;
+    under_gravity(s, 0.5, (int)steps, (int)steps / 100);
     open_scene(s);
     put(s, &(Put){ .x = sin(a), .y = -cos(a), .angle = a, .width = 50, .height = 1 });
     for (int i = 0; i < 3; i++)
@@ -676,11 +661,10 @@ static void judge_soak(const labTrace *t, double steps, double *error, double *h
     *error = *harm = most_moved(t) / 2;
 }
 
-static void put_tower(labScene *s, int n, double side, double ratio)
+static void put_tower(labScene *s, double g, int n, double side, double ratio)
 {
-    s->friction = 0.6;
-    s->steps = 600;
-    s->every = 60;
+    under_gravity(s, 0.6, 600, 60);
+    s->gravity = g;
     open_scene(s);
     put(s, &(Put){ .y = -side, .width = 20 * side, .height = side });
     for (int i = 0; i < n; i++)
@@ -688,9 +672,10 @@ static void put_tower(labScene *s, int n, double side, double ratio)
                        .density = i == n - 1 ? ratio : 1 });
 }
 
-static void judge_tower_of(const labTrace *t, int n, double side, double *error,
-                           double *harm)
+/* boxes of this side, on a floor that is body 0 */
+static void judge_size(const labTrace *t, double side, double *error, double *harm)
 {
+    int n = t->bodies - 1;
     double aside = 0, sunk = 0, top = (n - 0.5) * side;
     for (int i = 0; i < t->rows; i++) {
         aside = fmax(aside, fabs(labAt(t, i, n, LAB_X)));
@@ -702,37 +687,23 @@ static void judge_tower_of(const labTrace *t, int n, double side, double *error,
 
 static void build_tower(labScene *s, double n)
 {
-    s->gravity = 10;
-    put_tower(s, (int)n, 1, 1);
+    put_tower(s, 10, (int)n, 1, 1);
 }
 
-static void judge_tower(const labTrace *t, double n, double *error, double *harm)
+static void judge_tower(const labTrace *t, double value, double *error, double *harm)
 {
-    judge_tower_of(t, (int)n, 1, error, harm);
+    (void)value;
+    judge_size(t, 1, error, harm);
 }
 
 static void build_ratio(labScene *s, double ratio)
 {
-    s->gravity = 10;
-    put_tower(s, 2, 1, ratio);
-}
-
-static void judge_ratio(const labTrace *t, double ratio, double *error, double *harm)
-{
-    (void)ratio;
-    judge_tower_of(t, 2, 1, error, harm);
+    put_tower(s, 10, 2, 1, ratio);
 }
 
 static void build_gravity(labScene *s, double g)
 {
-    s->gravity = g;
-    put_tower(s, 1, 1, 1);
-}
-
-static void judge_gravity(const labTrace *t, double g, double *error, double *harm)
-{
-    (void)g;
-    judge_tower_of(t, 1, 1, error, harm);
+    put_tower(s, g, 1, 1, 1);
 }
 
 enum { FALLING = 10 };                  /* boxes */
@@ -775,13 +746,7 @@ static void judge_falling(const labTrace *t, double gap, double *error, double *
 /* all is scaled but gravity and the step, so this is no mere change of units */
 static void build_size(labScene *s, double side)
 {
-    s->gravity = 10;
-    put_tower(s, 5, side, 1);
-}
-
-static void judge_size(const labTrace *t, double side, double *error, double *harm)
-{
-    judge_tower_of(t, 5, side, error, harm);
+    put_tower(s, 10, 5, side, 1);
 }
 
 static void build_overhang(labScene *s, double n)
@@ -826,17 +791,20 @@ static void judge_chain(const labTrace *t, double ratio, double *error, double *
     *error = *harm = moved(t, 11) / 5;
 }
 
-/* from its hinge's height and from rest: its energy is 0, what is measured the error */
-static void build_pendulum(labScene *s, double seconds)
+/* so many rods, one hung at the other, level and at rest: their energy is 0 */
+static void hang_rods(labScene *s, int n, double seconds)
 {
-    s->gravity = 10;
-    s->steps = (int)(60 * seconds);
-    s->every = 1 + s->steps / 1000;
+    int steps = (int)(60 * seconds);
+    under_gravity(s, 0, steps, 1 + steps / 1000);
     open_scene(s);
     put(s, &(Put){ .width = 0.1, .height = 0.1, .mask = 2 });
-    put(s, &(Put){ .x = 1, .width = 1, .height = 0.05, .density = 1, .mask = 2 });
-    hinge(s, 0, 1, 0, 0);
+    for (int i = 0; i < n; i++)
+        put(s, &(Put){ .x = 1 + 2 * i, .width = 1, .height = 0.05, .density = 1,
+                       .mask = 2 });
+    for (int i = 0; i < n; i++) hinge(s, i, i + 1, 2 * i, 0);
 }
+
+static void build_pendulum(labScene *s, double seconds) { hang_rods(s, 1, seconds); }
 
 static void judge_pendulum(const labTrace *t, double seconds, double *error, double *harm)
 {
@@ -863,12 +831,6 @@ static void build_tower_rate(labScene *s, double rate)
     at_rate(s, rate, 10);
 }
 
-static void judge_tower_rate(const labTrace *t, double rate, double *error, double *harm)
-{
-    (void)rate;
-    judge_tower(t, 5, error, harm);
-}
-
 static void build_chain_rate(labScene *s, double rate)
 {
     s->dt = 1 / rate;
@@ -876,19 +838,7 @@ static void build_chain_rate(labScene *s, double rate)
     at_rate(s, rate, 5);
 }
 
-static void build_double(labScene *s, double seconds)
-{
-    s->gravity = 10;
-    s->steps = (int)(60 * seconds);
-    s->every = 1 + s->steps / 1000;
-    open_scene(s);
-    put(s, &(Put){ .width = 0.1, .height = 0.1, .mask = 2 });
-    for (int i = 0; i < 2; i++)
-        put(s, &(Put){ .x = 1 + 2 * i, .width = 1, .height = 0.05, .density = 1,
-                       .mask = 2 });
-    hinge(s, 0, 1, 0, 0);
-    hinge(s, 1, 2, 2, 0);
-}
+static void build_double(labScene *s, double seconds) { hang_rods(s, 2, seconds); }
 
 /* the gap between the rods' ends: an engine may be content with a joint come apart */
 static void judge_double(const labTrace *t, double seconds, double *error, double *harm)
@@ -1349,15 +1299,15 @@ const labExtreme labExtremeTable[] = {
     { "overhang", "planks", "nine tenths of the harmonic overhang", { 2, 4, 8, 16, 30 }, 5, 3,
       build_overhang, judge_overhang },
     { "ratio", "mass upon mass", "a heavy box lies on a light one",
-      { 1, 10, 100, 1e3, 1e5, 1e7, 1e9 }, 7, 4, build_ratio, judge_ratio },
+      { 1, 10, 100, 1e3, 1e5, 1e7, 1e9 }, 7, 4, build_ratio, judge_tower },
     { "gravity", "m/s^2", "a box on the floor", { 10, 1, 0, 100, 1e3, 1e4 }, 6, 3,
-      build_gravity, judge_gravity },
+      build_gravity, judge_tower },
     { "size", "metres", "a tower of five", { 1, 0.1, 0.01, 0.001, 10, 100, 1000 }, 7, 4,
       build_size, judge_size },
     { "chain", "load, of a link", "a chain hangs", { 1, 10, 100, 1e3, 1e4, 1e5, 1e6 }, 7, 4,
       build_chain, judge_chain },
     { "tower-rate", "steps per second", "a tower of five stands",
-      { 60, 30, 15, 120, 240, 1000 }, 6, 3, build_tower_rate, judge_tower_rate },
+      { 60, 30, 15, 120, 240, 1000 }, 6, 3, build_tower_rate, judge_tower },
     { "chain-rate", "steps per second", "a chain with a load of ten hangs",
       { 60, 30, 15, 120, 240, 1000 }, 6, 3, build_chain_rate, judge_chain },
     { "pendulum", "seconds", "the energy of a rod", { 1, 10, 100, 300, 1000 }, 5, 3,
