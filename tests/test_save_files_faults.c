@@ -423,7 +423,7 @@ TEST(a_step_names_the_body_that_was_pushed_and_not_the_floor)
         wfResult result = WF_OK;
         for (int i = 0; i < 100 && result == WF_OK; i++) result = wfStepWorld(&w);
         char name[24];
-        snprintf(name, sizeof name, "bodies[%d]", (int)wfBodyIndex(box[who]));
+        snprintf(name, sizeof name, "bodies[%d]", (int)wfBodyIndex(&w, box[who]));
         if (strcmp(wfLastFault(&w)->field, name) != 0) fail_msg("box %d: %s: %s, not %s", who, wfResultName(result), wfLastFault(&w)->text, name);
         wfDestroyWorld(&w);
         assert_int_not_equal(result, WF_OK);

@@ -201,7 +201,8 @@ void wfNoteStep(const struct wfStep *s, wfResult result)
     int32_t room = contacts ? h->contactCapacity : h->pairCapacity;
     if (result == WF_ERROR_FULL)
         wfRefuseFull(&s->b, contacts ? "contactCapacity" : "pairCapacity", room, room + 1);
-    int32_t i = result == WF_ERROR_NOT_FINITE || result == WF_ERROR_RANGE ? lost_body(s) : -1;
+    bool number = result == WF_ERROR_NOT_FINITE || result == WF_ERROR_RANGE;
+    int32_t i = number ? lost_body(s) : -1;
     if (i >= 0)
         wfRefuseOne(&s->b, result, "bodies[]", i,
                     "it was pushed too hard: look at its forces, mass and speed");

@@ -635,7 +635,10 @@ static void put_cards(labScene *s, int storeys, double side, double thick)
     }
 }
 
-static void build_cards(labScene *s, double storeys) { put_cards(s, (int)storeys, 1, 0.02); }
+static void build_cards(labScene *s, double storeys)
+{
+    put_cards(s, (int)storeys, 1, 0.02);
+}
 
 static void judge_cards(const labTrace *t, double storeys, double *error, double *harm)
 {
@@ -1006,11 +1009,12 @@ static void build_wreck(labScene *s, double mass)
     for (int i = 0; i < LINKS; i++)
         put(s, &(Put){ .x = -0.5 * i - 0.25, .y = 12, .width = 0.25, .height = 0.05,
                        .density = 1, .category = 2, .mask = 1 });
-    put(s, &(Put){ .x = -wreck_arm, .y = 12, .radius = wreck_radius, .category = 2, .mask = 1,
+    put(s, &(Put){ .x = -wreck_arm, .y = 12, .radius = wreck_radius, .category = 2,
+                   .mask = 1,
                    .density = mass / (3.141592653589793 * wreck_radius * wreck_radius) });
     for (int i = 0; i < 20; i++)
-        put(s, &(Put){ .x = 1 + 1.02 * (i % 4), .y = 0.5 + i / 4, .width = 0.5, .height = 0.5,
-                       .density = 1 });
+        put(s, &(Put){ .x = 1 + 1.02 * (i % 4), .y = 0.5 + i / 4, .width = 0.5,
+                       .height = 0.5, .density = 1 });
     for (int i = 0; i <= LINKS; i++) hinge(s, i + 1, i + 2, -0.5 * i, 12);
 }
 
@@ -1018,7 +1022,8 @@ static void judge_wreck(const labTrace *t, double mass, double *error, double *h
 {
     const double link = 0.05, turn = link * (0.25 + 0.01) / 12;
     const double disc = mass * wreck_radius * wreck_radius / 2;
-    double work = 10 * wreck_arm * (mass + link * LINKS / 2), first = 0, rise = 0, longer = 0;
+    double work = 10 * wreck_arm * (mass + link * LINKS / 2);
+    double first = 0, rise = 0, longer = 0;
     for (int row = 0; row < t->rows; row++) {
         double sum = energy_of(t, row, LINKS + 2, mass, disc);
         for (int i = 0; i < LINKS; i++) sum += energy_of(t, row, i + 2, link, turn);
@@ -1055,7 +1060,8 @@ static void judge_bars(const labTrace *t, double speed, double *error, double *h
         for (int row = 0; row < t->rows; row++) {
             double x[2], y[2];                      /* the two ends that are hinged */
             for (int k = 0; k < 2; k++) {
-                double turned = labAt(t, row, i + k, LAB_ANGLE) - labAt(t, 0, i + k, LAB_ANGLE);
+                double turned = labAt(t, row, i + k, LAB_ANGLE)
+                              - labAt(t, 0, i + k, LAB_ANGLE);
                 double up = k == 0 ? 0.25 : -0.25;
                 x[k] = labAt(t, row, i + k, LAB_X) - up * sin(turned);
                 y[k] = labAt(t, row, i + k, LAB_Y) + up * cos(turned);
@@ -1102,12 +1108,13 @@ static void build_gas(labScene *s, double speed)
     open_scene(s);
     for (int i = 0; i < 4; i++) {
         double to = i % 2 ? 5.05 : -5.05;
-        put(s, &(Put){ .x = i < 2 ? to : 0, .y = i < 2 ? 0 : to, .width = i < 2 ? 0.05 : 5.1,
-                       .height = i < 2 ? 5.1 : 0.05 });
+        put(s, &(Put){ .x = i < 2 ? to : 0, .y = i < 2 ? 0 : to,
+                       .width = i < 2 ? 0.05 : 5.1, .height = i < 2 ? 5.1 : 0.05 });
     }
     for (int i = 0; i < GAS; i++)
         put(s, &(Put){ .x = 1.2 * (i % 7) - 3.6, .y = 1.2 * (i / 7) - 3.6, .radius = 0.1,
-                       .vx = speed * cos(2.4 * i), .vy = speed * sin(2.4 * i), .density = 1 });
+                       .vx = speed * cos(2.4 * i), .vy = speed * sin(2.4 * i),
+                       .density = 1 });
 }
 
 static void judge_gas(const labTrace *t, double speed, double *error, double *harm)
@@ -1162,7 +1169,8 @@ static void build_landed(labScene *s, double mass)
 static void judge_landed(const labTrace *t, double mass, double *error, double *harm)
 {
     (void)mass;
-    *error = *harm = fmax(fabs(at_end(t, 3, LAB_Y) - 2.1), fabs(at_end(t, 4, LAB_Y) - 2.7)) / 0.2;
+    *error = *harm = fmax(fabs(at_end(t, 3, LAB_Y) - 2.1),
+                          fabs(at_end(t, 4, LAB_Y) - 2.7)) / 0.2;
 }
 
 enum { DISCS = 63 };
@@ -1191,8 +1199,8 @@ static void judge_bin(const labTrace *t, double ratio, double *error, double *ha
         double x = at_end(t, i, LAB_X), y = at_end(t, i, LAB_Y);
         if (fabs(x) > 3 || y < 0) *harm = 2;
         for (int k = 3; k < i; k++)
-            *error = fmax(*error, 1 - hypot(x - at_end(t, k, LAB_X), y - at_end(t, k, LAB_Y))
-                                      / (2 * disc_radius));
+            *error = fmax(*error, 1 - hypot(x - at_end(t, k, LAB_X),
+                                            y - at_end(t, k, LAB_Y)) / (2 * disc_radius));
     }
     *harm = fmax(*harm, 2 * *error);
 }
@@ -1225,8 +1233,8 @@ static void build_jointed(labScene *s, double chains)
     put(s, &(Put){ .x = -4, .y = 15, .width = 0.5, .height = 18 });
     put(s, &(Put){ .x = 4, .y = 15, .width = 0.5, .height = 18 });
     for (int i = 0; i < 5 * n; i++)
-        put(s, &(Put){ .x = -2.5 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5), .y = 1 + 0.6 * (i / 5),
-                       .width = 0.25, .height = 0.1, .density = 1 });
+        put(s, &(Put){ .x = -2.5 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5),
+                       .y = 1 + 0.6 * (i / 5), .width = 0.25, .height = 0.1, .density = 1 });
     for (int i = 0; i < 5 * n; i++)
         if (i % 5 > 0) hinge(s, i + 2, i + 3, -2.75 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5),
                              1 + 0.6 * (i / 5));

@@ -14,7 +14,8 @@ function addBody(b, bullet) {
     fixedRotation: b.fixedRotation, bullet: bullet && b.type === 'dynamic' });
   for (const s of b.shapes) {
     const thin = s.half && Math.min(...s.half) < planck.Settings.linearSlop;
-    body.createFixture({ shape: thin ? new planck.Box(...s.half)    // its hull would be a line
+    // the hull of a thin one would be a line
+    body.createFixture({ shape: thin ? new planck.Box(...s.half)
       : s.corners.length ? new planck.Polygon(s.corners.map(vec))
       : new planck.Circle(vec(s.centre), s.radius), density: s.density,
       friction: s.friction, restitution: s.restitution, filterCategoryBits: s.category,
