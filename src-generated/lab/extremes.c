@@ -1234,7 +1234,8 @@ static void build_jointed(labScene *s, double chains)
     put(s, &(Put){ .x = 4, .y = 15, .width = 0.5, .height = 18 });
     for (int i = 0; i < 5 * n; i++)
         put(s, &(Put){ .x = -2.5 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5),
-                       .y = 1 + 0.6 * (i / 5), .width = 0.25, .height = 0.1, .density = 1 });
+                       .y = 1 + 0.6 * (i / 5), .width = 0.25, .height = 0.1,
+                       .density = 1 });
     for (int i = 0; i < 5 * n; i++)
         if (i % 5 > 0) hinge(s, i + 2, i + 3, -2.75 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5),
                              1 + 0.6 * (i / 5));
