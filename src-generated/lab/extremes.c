@@ -4,67 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+#include "lab/extreme_scenes.h"
 #include "testbed/classics.h"
-
-/* write a scene of the extremes */
-typedef struct Put {
-    double x, y, angle, vx, vy, spin, radius, width, height, density;   /* half sizes */
-    int    upright, category, mask;         /* mask: 0 stands for all */
-    const double *corner;       /* of a stone: 4 times x, y; NULL: a disc or a box */
-} Put;
-
-static void open_scene(const labScene *s)
-{
-    fprintf(s->file, "{\"weft\":1,\"origin\":[%.17g,0],\"settings\":{\"gravity\":[0,%.17g],"
-            "\"timeStep\":%.17g},\n\"bodies\":[\n", s->origin, -s->gravity, s->dt);
-}
-
-/* gravity, friction, the number of steps, and after how many of them a row is written */
-static void under_gravity(labScene *s, double friction, int steps, int every)
-{
-    s->gravity = 10, s->friction = friction, s->steps = steps, s->every = every;
-}
-
-static void put_corners(const labScene *s, const double *corner)
-{
-    fputs("\"shapes\":[{\"kind\":\"polygon\",\"vertices\":[", s->file);
-    for (int i = 0; i < 4; i++)
-        fprintf(s->file, "%s[%.17g,%.17g]", i > 0 ? "," : "", corner[2 * i],
-                corner[2 * i + 1]);
-    fputs("],", s->file);
-}
-
-static int put(labScene *s, const Put *p)
-{
-    fprintf(s->file, "%s{\"type\":\"%s\",\"position\":[%.17g,%.17g],\"angle\":%.17g,"
-            "\"velocity\":[%.17g,%.17g],\"angularVelocity\":%.17g,\"fixedRotation\":%s,",
-            s->bodies > 0 ? ",\n" : "", p->density > 0 ? "dynamic" : "static", p->x, p->y,
-            p->angle, p->vx, p->vy, p->spin, p->upright ? "true" : "false");
-    if (p->radius > 0) fprintf(s->file, "\"shapes\":[{\"kind\":\"circle\","
-                               "\"radius\":%.17g,", p->radius);
-    else if (p->corner != NULL) put_corners(s, p->corner);
-    else fprintf(s->file, "\"shapes\":[{\"kind\":\"box\",\"halfWidth\":%.17g,"
-                 "\"halfHeight\":%.17g,", p->width, p->height);
-    fprintf(s->file, "\"density\":%.17g,\"friction\":%.17g,\"restitution\":%.17g,"
-            "\"category\":%d,\"mask\":%d}]}", p->density > 0 ? p->density : 1, s->friction,
-            s->restitution, p->category > 0 ? p->category : 1,
-            p->mask > 0 ? p->mask : 65535);
-    return s->bodies++;
-}
-
-/* of a point of a and one of b, that should be in one place */
-static void hinge_ends(labScene *s, int a, int b, const double at[2], const double to[2])
-{
-    fprintf(s->file, "%s{\"kind\":\"revolute\",\"a\":%d,\"b\":%d,\"anchorA\":[%.17g,%.17g],"
-            "\"anchorB\":[%.17g,%.17g]}", s->joints++ > 0 ? ",\n" : "\n],\"joints\":[\n",
-            a, b, at[0], at[1], to[0], to[1]);
-}
-
-static void hinge(labScene *s, int a, int b, double x, double y)
-{
-    fprintf(s->file, "%s{\"kind\":\"revolute\",\"a\":%d,\"b\":%d,\"anchor\":[%.17g,%.17g]}",
-            s->joints++ > 0 ? ",\n" : "\n],\"joints\":[\n", a, b, x, y);
-}
 
 /* look at a trace */
 double labAt(const labTrace *t, int row, int body, int field)
@@ -88,11 +29,6 @@ static double moved(const labTrace *t, int body)
         most = fmax(most, hypot(dx, dy));
     }
     return most;
-}
-
-static double at_end(const labTrace *t, int body, int field)
-{
-    return labAt(t, t->rows - 1, body, field);
 }
 
 /* what was measured, as a part of what is exact */
@@ -283,7 +219,7 @@ static void build_hung(labScene *s, double n)
     for (int i = 0; i < (int)n; i++)
         put(s, &(Put){ .x = i > 0 ? i : -aside, .y = hung_rod - (i > 0 ? hung_rod : low),
                        .angle = i > 0 ? 0 : -hungAngle, .radius = 0.5, .density = 1 });
-    for (int i = 0; i < (int)n; i++) hinge(s, 0, i + 1, i, hung_rod);
+    for (int i = 0; i < (int)n; i++) put_hinge(s, 0, i + 1, i, hung_rod);
 }
 
 static void judge_hung(const labTrace *t, double n, double *error, double *harm)
@@ -783,7 +719,7 @@ static void build_chain(labScene *s, double ratio)
     put(s, &(Put){ .y = -5.25, .radius = 0.25, .mask = 2,
                    .density = ratio * 0.05 / (3.141592653589793 * 0.0625) });
     for (int i = 1; i <= 11; i++) {
-        hinge(s, last, i, 0, -0.5 * (i - 1));
+        put_hinge(s, last, i, 0, -0.5 * (i - 1));
         last = i;
     }
 }
@@ -804,7 +740,7 @@ static void hang_rods(labScene *s, int n, double seconds)
     for (int i = 0; i < n; i++)
         put(s, &(Put){ .x = 1 + 2 * i, .width = 1, .height = 0.05, .density = 1,
                        .mask = 2 });
-    for (int i = 0; i < n; i++) hinge(s, i, i + 1, 2 * i, 0);
+    for (int i = 0; i < n; i++) put_hinge(s, i, i + 1, 2 * i, 0);
 }
 
 static void build_pendulum(labScene *s, double seconds) { hang_rods(s, 1, seconds); }
@@ -881,7 +817,7 @@ static void build_free(labScene *s, double seconds)
     for (int i = 0; i < 10; i++)
         put(s, &(Put){ .x = 0.5 * i - 2.25, .vy = v[i] - mean, .spin = 2 + cos(i),
                        .width = 0.25, .height = 0.05, .density = 1, .mask = 2 });
-    for (int i = 0; i < 9; i++) hinge(s, i, i + 1, 0.5 * i - 2, 0);
+    for (int i = 0; i < 9; i++) put_hinge(s, i, i + 1, 0.5 * i - 2, 0);
 }
 
 /* twice the energy, the angular momentum, and the momentum, per mass of a link */
@@ -940,200 +876,6 @@ static void judge_coincident(const labTrace *t, double n, double *error, double 
     *harm = fastest / (5 * sqrt(n));
 }
 
-static double energy_of(const labTrace *t, int row, int body, double mass, double inertia)
-{
-    double v = hypot(labAt(t, row, body, LAB_VX), labAt(t, row, body, LAB_VY));
-    double w = labAt(t, row, body, LAB_SPIN);
-    return mass * (v * v / 2 + 10 * labAt(t, row, body, LAB_Y)) + inertia * w * w / 2;
-}
-
-/* how far the right end of body a is from the left end of b: half lengths */
-static double gap_between(const labTrace *t, int row, int a, int b, double half)
-{
-    double p = labAt(t, row, a, LAB_ANGLE), q = labAt(t, row, b, LAB_ANGLE);
-    double dx = labAt(t, row, b, LAB_X) - labAt(t, row, a, LAB_X);
-    double dy = labAt(t, row, b, LAB_Y) - labAt(t, row, a, LAB_Y);
-    return hypot(dx - half * (cos(p) + cos(q)), dy - half * (sin(p) + sin(q)));
-}
-
-enum { PLANKS = 20 };
-
-static void build_gaps(labScene *s, double gap)
-{
-    double x[PLANKS + 1] = { 0 }, y[PLANKS + 1] = { 0 };
-    under_gravity(s, 0.6, 600, 2);
-    open_scene(s);
-    put(s, &(Put){ .width = 0.1, .height = 0.1, .mask = 2 });
-    for (int i = 0; i < PLANKS; i++) {
-        double angle = 0.05 * (i - 9.5), off = i % 2 ? gap / 2 : -gap / 2;
-        x[i + 1] = x[i] + cos(angle);
-        y[i + 1] = y[i] + sin(angle);
-        put(s, &(Put){ .x = (x[i] + x[i + 1]) / 2, .y = (y[i] + y[i + 1]) / 2 + off,
-                       .angle = angle, .width = 0.5, .height = 0.05, .density = 1,
-                       .mask = 2 });
-    }
-    for (int i = 0; i <= PLANKS; i++) {
-        double before = i == 0 ? 0 : i % 2 ? -gap / 2 : gap / 2, off = -before;
-        if (i == 0) off = -gap / 2;
-        if (i == PLANKS) off = 0;
-        hinge_ends(s, i, i == PLANKS ? 0 : i + 1, (double[2]){ x[i], y[i] + before },
-                   (double[2]){ x[i], y[i] + off });
-    }
-}
-
-static void judge_gaps(const labTrace *t, double gap, double *error, double *harm)
-{
-    const double mass = 0.1, inertia = 0.1 * (1 + 0.01) / 12, lift = 10 * mass * PLANKS;
-    double first = 0, rise = 0, open = 0;
-    for (int row = 0; row < t->rows; row++) {
-        double sum = 0;
-        for (int i = 1; i <= PLANKS; i++) sum += energy_of(t, row, i, mass, inertia);
-        if (row == 0) first = sum;
-        rise = fmax(rise, sum - first);
-    }
-    for (int i = 1; i < PLANKS; i++)
-        open = fmax(open, gap_between(t, t->rows - 1, i, i + 1, 0.5));
-    *error = fmax(fmax(0, rise / lift - gap / 2), open);
-    *harm = *error;
-}
-
-enum { LINKS = 20 };
-static const double wreck_radius = 0.75, wreck_arm = 10.75;
-
-static void build_wreck(labScene *s, double mass)
-{
-    under_gravity(s, 0.6, 900, 2);
-    open_scene(s);
-    put(s, &(Put){ .y = -1, .width = 100, .height = 1 });
-    put(s, &(Put){ .y = 12, .width = 0.1, .height = 0.1, .mask = 4 });
-    for (int i = 0; i < LINKS; i++)
-        put(s, &(Put){ .x = -0.5 * i - 0.25, .y = 12, .width = 0.25, .height = 0.05,
-                       .density = 1, .category = 2, .mask = 1 });
-    put(s, &(Put){ .x = -wreck_arm, .y = 12, .radius = wreck_radius, .category = 2,
-                   .mask = 1,
-                   .density = mass / (3.141592653589793 * wreck_radius * wreck_radius) });
-    for (int i = 0; i < 20; i++)
-        put(s, &(Put){ .x = 1 + 1.02 * (i % 4), .y = 0.5 + i / 4, .width = 0.5,
-                       .height = 0.5, .density = 1 });
-    for (int i = 0; i <= LINKS; i++) hinge(s, i + 1, i + 2, -0.5 * i, 12);
-}
-
-static void judge_wreck(const labTrace *t, double mass, double *error, double *harm)
-{
-    const double link = 0.05, turn = link * (0.25 + 0.01) / 12;
-    const double disc = mass * wreck_radius * wreck_radius / 2;
-    double work = 10 * wreck_arm * (mass + link * LINKS / 2);
-    double first = 0, rise = 0, longer = 0;
-    for (int row = 0; row < t->rows; row++) {
-        double sum = energy_of(t, row, LINKS + 2, mass, disc);
-        for (int i = 0; i < LINKS; i++) sum += energy_of(t, row, i + 2, link, turn);
-        for (int i = 0; i < 20; i++) sum += energy_of(t, row, LINKS + 3 + i, 1, 1.0 / 6);
-        if (row == 0) first = sum;
-        rise = fmax(rise, sum - first);
-        longer = fmax(longer, hypot(labAt(t, row, LINKS + 2, LAB_X),
-                                    labAt(t, row, LINKS + 2, LAB_Y) - 12) / wreck_arm - 1);
-    }
-    *error = *harm = fmax(rise / work, longer);
-}
-
-static void build_bars(labScene *s, double speed)
-{
-    s->fast = 1;
-    under_gravity(s, 0.6, 60, 1);
-    open_scene(s);
-    put(s, &(Put){ .y = -1, .width = 200, .height = 1 });
-    for (int i = 0; i < 20; i++) {
-        double low = 0.27 + speed * (i / 2) / 600;
-        put(s, &(Put){ .x = 10 * (i / 2), .y = i % 2 ? low + 0.5 : low, .vy = -speed,
-                       .angle = i % 4 == 2 ? 0.3 : 0, .width = 0.05, .height = 0.25,
-                       .density = 1, .category = 2, .mask = 1 });
-    }
-    for (int i = 0; i < 10; i++)
-        hinge(s, 2 * i + 1, 2 * i + 2, 10 * i, 0.52 + speed * i / 600);
-}
-
-static void judge_bars(const labTrace *t, double speed, double *error, double *harm)
-{
-    (void)speed;
-    *error = *harm = 0;
-    for (int i = 1; i <= 20; i += 2)
-        for (int row = 0; row < t->rows; row++) {
-            double x[2], y[2];                      /* the two ends that are hinged */
-            for (int k = 0; k < 2; k++) {
-                double turned = labAt(t, row, i + k, LAB_ANGLE)
-                              - labAt(t, 0, i + k, LAB_ANGLE);
-                double up = k == 0 ? 0.25 : -0.25;
-                x[k] = labAt(t, row, i + k, LAB_X) - up * sin(turned);
-                y[k] = labAt(t, row, i + k, LAB_Y) + up * cos(turned);
-                if (labAt(t, row, i + k, LAB_Y) < -0.05) *harm = 2;
-            }
-            *error = fmax(*error, hypot(x[1] - x[0], y[1] - y[0]) / 0.5);
-        }
-    *harm = fmax(*harm, *error);
-}
-
-static void build_rod(labScene *s, double speed)
-{
-    s->fast = 1;
-    under_gravity(s, 0.6, 180, 1);
-    open_scene(s);
-    put(s, &(Put){ .y = -1, .width = 2000, .height = 1 });
-    for (int i = 0; i < 5; i++)
-        put(s, &(Put){ .x = 100 * i, .y = 12 + speed * i / 300, .vy = -speed, .spin = 3,
-                       .angle = 1.2707963, .width = 5, .height = 0.005, .density = 1,
-                       .category = 2, .mask = 1 });
-}
-
-static void judge_rod(const labTrace *t, double speed, double *error, double *harm)
-{
-    (void)speed;
-    *error = *harm = 0;
-    for (int i = 1; i <= 5; i++)
-        for (int row = 0; row < t->rows; row++) {
-            double a = labAt(t, row, i, LAB_ANGLE), y = labAt(t, row, i, LAB_Y);
-            *error = fmax(*error, 5 * fabs(sin(a)) + 0.005 * fabs(cos(a)) - y);
-            if (y < -0.05) *harm = 2;
-        }
-    *harm = fmax(*harm, *error);
-}
-
-enum { GAS = 49 };
-
-static void build_gas(labScene *s, double speed)
-{
-    s->fast = 1;
-    s->restitution = 1;
-    s->steps = 600;
-    s->every = 5;
-    open_scene(s);
-    for (int i = 0; i < 4; i++) {
-        double to = i % 2 ? 5.05 : -5.05;
-        put(s, &(Put){ .x = i < 2 ? to : 0, .y = i < 2 ? 0 : to,
-                       .width = i < 2 ? 0.05 : 5.1, .height = i < 2 ? 5.1 : 0.05 });
-    }
-    for (int i = 0; i < GAS; i++)
-        put(s, &(Put){ .x = 1.2 * (i % 7) - 3.6, .y = 1.2 * (i / 7) - 3.6, .radius = 0.1,
-                       .vx = speed * cos(2.4 * i), .vy = speed * sin(2.4 * i),
-                       .density = 1 });
-}
-
-static void judge_gas(const labTrace *t, double speed, double *error, double *harm)
-{
-    *error = *harm = 0;
-    for (int row = 0; row < t->rows; row++) {
-        double sum = 0;
-        for (int i = 4; i < 4 + GAS; i++) {
-            double v = hypot(labAt(t, row, i, LAB_VX), labAt(t, row, i, LAB_VY));
-            double r = labAt(t, row, i, LAB_SPIN) * 0.1;
-            sum += (v * v + r * r / 2) / (speed * speed * GAS);
-            if (fabs(labAt(t, row, i, LAB_X)) > 5 || fabs(labAt(t, row, i, LAB_Y)) > 5)
-                *harm = 2;
-        }
-        *error = fmax(*error, fabs(sum - 1));
-    }
-    *harm = fmax(*harm, 2 * *error);
-}
-
 static void build_landing_rate(labScene *s, double rate)
 {
     s->dt = 1 / rate;
@@ -1152,109 +894,6 @@ static void build_card_rate(labScene *s, double rate)
     s->dt = 1 / rate;
     put_cards(s, 5, 0.4, 0.002);
     at_rate(s, rate, 10);
-}
-
-static void build_landed(labScene *s, double mass)
-{
-    under_gravity(s, 0.6, 600, 60);
-    open_scene(s);
-    put(s, &(Put){ .y = -1, .width = 100, .height = 1 });
-    put(s, &(Put){ .x = -3, .y = 1, .width = 0.5, .height = 1 });
-    put(s, &(Put){ .x = 3, .y = 1, .width = 0.5, .height = 1 });
-    put(s, &(Put){ .y = 2.1, .width = 4, .height = 0.1, .density = 2.5 });
-    put(s, &(Put){ .y = 5, .width = 0.5, .height = 0.5, .density = mass });
-}
-
-/* in thicknesses of the plank */
-static void judge_landed(const labTrace *t, double mass, double *error, double *harm)
-{
-    (void)mass;
-    *error = *harm = fmax(fabs(at_end(t, 3, LAB_Y) - 2.1),
-                          fabs(at_end(t, 4, LAB_Y) - 2.7)) / 0.2;
-}
-
-enum { DISCS = 63 };
-static const double disc_radius = 0.26;
-
-static void build_bin(labScene *s, double ratio)
-{
-    under_gravity(s, 0.6, 720, 60);
-    open_scene(s);
-    put(s, &(Put){ .y = -1, .width = 100, .height = 1 });
-    put(s, &(Put){ .x = -3.5, .y = 5, .width = 0.5, .height = 6 });
-    put(s, &(Put){ .x = 3.5, .y = 5, .width = 0.5, .height = 6 });
-    for (int row = 0; row < 6; row++)
-        for (int i = 0; i < 11 - row % 2; i++)
-            put(s, &(Put){ .x = -2.7 + 0.54 * i + 0.27 * (row % 2), .y = 0.26 + 0.47 * row,
-                           .radius = disc_radius, .density = 1 });
-    put(s, &(Put){ .y = 4.5, .width = 2.8, .height = 0.5, .density = ratio });
-}
-
-/* the deepest overlap at the end, in diameters; none may be lost */
-static void judge_bin(const labTrace *t, double ratio, double *error, double *harm)
-{
-    (void)ratio;
-    *error = *harm = 0;
-    for (int i = 3; i < 3 + DISCS; i++) {
-        double x = at_end(t, i, LAB_X), y = at_end(t, i, LAB_Y);
-        if (fabs(x) > 3 || y < 0) *harm = 2;
-        for (int k = 3; k < i; k++)
-            *error = fmax(*error, 1 - hypot(x - at_end(t, k, LAB_X),
-                                            y - at_end(t, k, LAB_Y)) / (2 * disc_radius));
-    }
-    *harm = fmax(*harm, 2 * *error);
-}
-
-static void build_tiles(labScene *s, double speed)
-{
-    under_gravity(s, 0.6, (int)(50 * 60 / speed), 1);
-    open_scene(s);
-    for (int i = 0; i < 60; i++)
-        put(s, &(Put){ .x = i - 29.5, .y = -0.5, .width = 0.5, .height = 0.5 });
-    put(s, &(Put){ .x = -28, .y = 0.5, .radius = 0.5, .vx = speed, .spin = -2 * speed,
-                   .density = 1 });
-}
-
-/* what it has lost or won of its speed, and how far it has jumped or sunk, in radii */
-static void judge_tiles(const labTrace *t, double speed, double *error, double *harm)
-{
-    double off = 0;
-    for (int row = 0; row < t->rows; row++)
-        off = fmax(off, fabs(labAt(t, row, 60, LAB_Y) - 0.5) / 0.5);
-    *error = *harm = fmax(off, fabs(at_end(t, 60, LAB_VX) / speed - 1));
-}
-
-static void build_jointed(labScene *s, double chains)
-{
-    int n = (int)chains;
-    under_gravity(s, 0.6, 1320, 20);
-    open_scene(s);
-    put(s, &(Put){ .y = -1, .width = 100, .height = 1 });
-    put(s, &(Put){ .x = -4, .y = 15, .width = 0.5, .height = 18 });
-    put(s, &(Put){ .x = 4, .y = 15, .width = 0.5, .height = 18 });
-    for (int i = 0; i < 5 * n; i++)
-        put(s, &(Put){ .x = -2.5 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5),
-                       .y = 1 + 0.6 * (i / 5), .width = 0.25, .height = 0.1,
-                       .density = 1 });
-    for (int i = 0; i < 5 * n; i++)
-        if (i % 5 > 0) hinge(s, i + 2, i + 3, -2.75 + 1.7 * (i / 5 % 3) + 0.5 * (i % 5),
-                             1 + 0.6 * (i / 5));
-}
-
-/* m/s, and lengths of a link */
-static void judge_jointed(const labTrace *t, double chains, double *error, double *harm)
-{
-    int last = t->rows - 1;
-    *error = *harm = 0;
-    for (int i = 0; i < 5 * (int)chains; i++) {
-        double v = hypot(at_end(t, i + 3, LAB_VX), at_end(t, i + 3, LAB_VY));
-        *error = fmax(*error, v);
-        if (i % 5 == 0) continue;
-        *error = fmax(*error, 2 * gap_between(t, last, i + 2, i + 3, 0.25));
-        for (int row = 0; row < t->rows; row++)
-            *harm = fmax(*harm, 2 * gap_between(t, row, i + 2, i + 3, 0.25));
-    }
-    *harm = fmax(*harm, *error);
 }
 const labExtreme labExtremeTable[] = {
     { "throw", "steps per second", "a ball on its parabola", { 15, 30, 60, 120, 240, 1000 },
@@ -1328,27 +967,27 @@ const labExtreme labExtremeTable[] = {
     { "coincident", "discs", "all in one place", { 2, 5, 10, 50, 200 }, 5, 3, build_coincident,
       judge_coincident },
     { "gaps", "metres", "a bridge saved with open hinges", { 0, 1e-4, 1e-3, 4e-3, 0.02, 0.1 },
-      6, 3, build_gaps, judge_gaps },
+      6, 3, labBuildGaps, labJudgeGaps },
     { "wreck", "kg of the ball", "a ball on links of 50 g meets a wall",
-      { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3, build_wreck, judge_wreck },
+      { 1, 10, 100, 1e3, 1e4, 1e5 }, 6, 3, labBuildWreck, labJudgeWreck },
     { "bars", "m/s", "hinged bars fall on a floor", { 2, 8, 30, 100, 300, 1e3 }, 6, 3,
-      build_bars, judge_bars },
-    { "rod", "m/s", "a thin rod falls and turns", { 0, 5, 20, 50, 100, 200 }, 6, 3, build_rod,
-      judge_rod },
-    { "gas", "m/s", "discs fly in a box", { 1, 10, 50, 100, 200, 500 }, 6, 3, build_gas,
-      judge_gas },
+      labBuildBars, labJudgeBars },
+    { "rod", "m/s", "a thin rod falls and turns", { 0, 5, 20, 50, 100, 200 }, 6, 3, labBuildRod,
+      labJudgeRod },
+    { "gas", "m/s", "discs fly in a box", { 1, 10, 50, 100, 200, 500 }, 6, 3, labBuildGas,
+      labJudgeGas },
     { "landing-rate", "steps per second", "boxes land on boxes",
       { 480, 240, 120, 60, 30, 15 }, 6, 3, build_landing_rate, judge_landing_rate },
     { "card-rate", "steps per second", "cards of 2 mm stand", { 960, 480, 240, 120, 60, 30 }, 6,
       3, build_card_rate, judge_cards },
     { "landed", "kg", "a box falls on a plank on posts", { 10, 100, 1e3, 1e4, 1e5, 1e6 }, 6, 3,
-      build_landed, judge_landed },
+      labBuildLanded, labJudgeLanded },
     { "bin", "density of the load", "discs under a load", { 1, 3, 10, 100, 1e3, 1e4 }, 6, 3,
-      build_bin, judge_bin },
+      labBuildBin, labJudgeBin },
     { "tiles", "m/s", "a disc rolls over flush boxes", { 1, 2, 5, 10, 25, 50 }, 6, 3,
-      build_tiles, judge_tiles },
+      labBuildTiles, labJudgeTiles },
     { "jointed", "chains", "chains fall into a yard", { 1, 3, 5, 10, 20, 40 }, 6, 3,
-      build_jointed, judge_jointed },
+      labBuildJointed, labJudgeJointed },
 };
 const int labExtremeCount = (int)(sizeof labExtremeTable / sizeof *labExtremeTable);
 
