@@ -7,18 +7,6 @@
 #include "lab/extreme_scenes.h"
 #include "testbed/classics.h"
 
-/* look at a trace */
-double labAt(const labTrace *t, int row, int body, int field)
-{
-    return t->cell[(size_t)row * (size_t)(2 + LAB_FIELDS * t->bodies)
-                   + (size_t)(2 + LAB_FIELDS * body + field)];
-}
-
-double labTime(const labTrace *t, int row)
-{
-    return t->cell[(size_t)row * (size_t)(2 + LAB_FIELDS * t->bodies) + 1];
-}
-
 /* how far a body has been from where it began, at most */
 static double moved(const labTrace *t, int body)
 {
@@ -1016,75 +1004,4 @@ const char *labJudgeExtreme(const labExtreme *e, const labTrace *t, double value
     e->judge(t, value, error, harm);
     if (!(*harm <= 1)) return "failed";
     return *error <= 0.01 ? "right" : "stable";
-}
-
-/* read a trace */
-static char *read_all(const char *file)
-{
-    FILE *f = fopen(file, "rb");
-    char *text = NULL;
-    size_t size = 0, n = 1;
-    while (f != NULL && n > 0) {
-        char *more = realloc(text, size + 65537);
-        if (more == NULL) break;
-        text = more;
-        n = fread(text + size, 1, 65536, f);
-        size += n;
-        text[size] = '\0';
-    }
-    if (f != NULL) fclose(f);
-    return text;
-}
-
-/* the numbers of a line but the 3rd to 6th, which are the adapter's own sums */
-static int read_line(const char *line, double *out, int most)
-{
-    int n = 0, i = 0;
-    for (char *end; *line != '\n' && *line != '\0'; line = *end == ',' ? end + 1 : end) {
-        double value = strtod(line, &end);
-        if (end == line) return -1;
-        if (i < 2 || i > 5) {
-            if (n < most) out[n] = value;
-            n++;
-        }
-        i++;
-    }
-    return n;
-}
-
-int labReadTrace(const char *file, labTrace *out)
-{
-    char *text = read_all(file), *line;
-    int width = 0, room = 0;
-    *out = (labTrace){ .rows = 0 };
-    if (text == NULL) return 1;
-    for (line = text; line != NULL && *line != '\0'; ) {
-        char *next = strchr(line, '\n');
-        /* read a row of a trace */
-        if ((*line >= '0' && *line <= '9')) {
-            if (width == 0) width = read_line(line, NULL, 0);
-            if (width < 2 + LAB_FIELDS) break;
-            if (out->rows == room) {
-                room = room > 0 ? 2 * room : 64;
-                double *more = realloc(out->cell, sizeof *more * (size_t)(room * width));
-                if (more == NULL) break;
-                out->cell = more;
-            }
-            double *row = out->cell + (size_t)out->rows * (size_t)width;
-            if (read_line(line, row, width) != width) break;
-            out->rows++;
-        }
-        line = next != NULL ? next + 1 : NULL;
-    }
-    int failed = line != NULL && *line != '\0';
-    free(text);
-    out->bodies = (width - 2) / LAB_FIELDS;
-    if (failed || out->rows < 2) labFreeTrace(out);
-    return failed || out->cell == NULL;
-}
-
-void labFreeTrace(labTrace *t)
-{
-    free(t->cell);
-    *t = (labTrace){ .rows = 0 };
 }
