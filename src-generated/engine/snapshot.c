@@ -307,20 +307,15 @@ wfResult wfRewindKeep(wfRewind *ring, const wfWorld *world)
 
 wfResult wfRewindTo(wfRewind *ring, wfWorld *world, uint64_t step)
 {
-    wfBlock b;
-    wfResult result = wfChangeBlock(world, &b);
-    if (result != WF_OK) return result;
-    if (ring == NULL || ring->bytes == NULL)
-        return wfRefuse(&b, WF_ERROR_NULL, "ring", NULL);
+    if (ring == NULL || ring->bytes == NULL) return WF_ERROR_NULL;
     wfRewind r = *ring;
     while (r.count > 0 && kept_at(&r, r.newest)->step > step) {
         r.newest = kept_at(&r, r.newest)->before;
         r.count--;
     }
-    if (r.count == 0)
-        return wfRefuse(&b, WF_ERROR_UNKNOWN, "step", "nothing so old is kept");
+    if (r.count == 0) return WF_ERROR_UNKNOWN;
     const Kept *k = kept_at(&r, r.newest);
-    result = wfRestoreWorld(world, r.bytes + r.newest + KEPT, k->size);
+    wfResult result = wfRestoreWorld(world, r.bytes + r.newest + KEPT, k->size);
     if (result == WF_OK) *ring = r;
     return result;
 }
