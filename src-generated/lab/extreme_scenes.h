@@ -53,7 +53,7 @@ static inline int put(labScene *s, const Put *p)
 
 /* of a point of a and one of b, that should be in one place */
 static inline void put_hinge_ends(labScene *s, int a, int b, const double at[2],
-                              const double to[2])
+                                  const double to[2])
 {
     fprintf(s->file, "%s{\"kind\":\"revolute\",\"a\":%d,\"b\":%d,\"anchorA\":[%.17g,%.17g],"
             "\"anchorB\":[%.17g,%.17g]}", s->joints++ > 0 ? ",\n" : "\n],\"joints\":[\n",
