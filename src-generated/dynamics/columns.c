@@ -61,6 +61,7 @@ static void put_limb(wfLimb *l, int32_t contact, int32_t body, int32_t below)
     l->contact = contact;
     l->body = body;
     l->below = below;
+    l->slides = false;
 }
 
 /* The body joins the tree; false: it can't be one. */
@@ -266,7 +267,7 @@ static wfReal what_is_wrong(const wfSubsteps *s, const Law *law, const wfPrepare
 static void add_friction(wfLimb *l, const wfPrepared *c)
 {
     const wfPreparedPoint *p = &c->p[l->points == 2], *q = &c->p[l->points > 1];
-    if (!(c->friction > 0)) return;
+    if (!(c->friction > 0) || l->slides) return;
     add_row(l, c->t, (p->tA + q->tA) / 2, (p->tB + q->tB) / 2, 1 / p->massT);
 }
 
@@ -308,7 +309,7 @@ static void find_wrong(const wfSubsteps *s, const Law *law, wfLimb *l)
         e[k] = what_is_wrong(s, law, &p[k], wfNormalRate(&m, &p[k]));
     wrong[0] = l->points == 3 ? (e[0] + e[1]) / 2 : e[one - p];
     if (l->points == 3) wrong[1] = e[1] - e[0];                 /* eq:soft-mean */
-    if (!(c->friction > 0)) return;
+    if (!(c->friction > 0) || l->slides) return;
     wrong[l->rows - 1] =
         (wfTangentRate(&m, one) + wfTangentRate(&m, two)) / 2 - c->tangentSpeed;
 }
@@ -416,7 +417,7 @@ static void carry_up(const wfLimb *l, const wfFold *f, wfWave *w, const wfWave *
 }
 
 /* solve the trees */
-enum { COLUMN_TRIES = 12, CAREFUL_TRIES = 64 };
+enum { COLUMN_TRIES = 12, CAREFUL_TRIES = 64, FOOT_TRIES = 4 };
 
 static void point_pushes(const wfLimb *l, const wfPrepared *c, wfReal out[2])
 {
@@ -469,6 +470,7 @@ static bool points_are_right(const wfSubsteps *s, const Law *law, const wfStacks
 static bool foot_slips(const wfSubsteps *s, const wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
+    if (l->slides) return false;
     wfReal normal = l->wave.push[0];
     wfReal tangent = c->friction > 0 && l->rows > 0 ? l->wave.push[l->rows - 1] : 0;
     for (int32_t k = 0; k < c->count; k++)
@@ -514,7 +516,7 @@ static void close_limb(const wfSubsteps *s, wfStacks *t, const wfLimb *l)
                         : root->links > root->end ? WF_HELD_IN_LOOP : WF_HELD_IN_TREE;
     if (!t->held[l->contact]) return;
     wfPairMotion m = wfTakePair(s->in, c);
-    bool rubs = c->friction > 0 && l->rows > 0;
+    bool rubs = c->friction > 0 && l->rows > 0 && !l->slides;
     wfReal more[2], drag = rubs ? l->wave.push[l->rows - 1] : 0;
     point_pushes(l, c, more);
     for (int32_t k = 0; k < c->count; k++) {
@@ -869,6 +871,53 @@ static wfReal share_of_lift(const wfSubsteps *s, const wfStacks *t, const wfLimb
     return lift > s->in->restingSpeed ? s->in->restingSpeed / lift : 1;
 }
 
+/* Drags the feet that slide; one that no longer does gets its row back. */
+static void rub_feet(const wfSubsteps *s, wfStacks *t, wfLimb *root)
+{
+    for (int32_t i = root->root; i < root->links; i++) {
+        wfLimb *l = &t->limb[i];
+        wfPrepared *c = &s->c[l->contact];
+        wfReal normal = 0, tangent = 0;
+        if (!l->slides) continue;
+        wfPairMotion m = wfTakePair(s->in, c);
+        wfSolveFriction(c, &m);
+        wfGivePair(s->in, c, &m);
+        for (int32_t k = 0; k < c->count; k++)
+            normal += c->p[k].normal, tangent += c->p[k].tangent;
+        if (!(wfAbs(tangent) < WF_R(0.999) * c->friction * normal)) continue;
+        l->slides = false;
+        make_stale(root, l);
+    }
+}
+
+static bool some_slip(const wfSubsteps *s, wfStacks *t, wfLimb *root)
+{
+    bool some = false;
+    for (int32_t i = root->root; i < root->links; i++) {
+        if (!foot_slips(s, &t->limb[i])) continue;
+        t->limb[i].slides = some = true;
+        make_stale(root, &t->limb[i]);
+    }
+    return some;
+}
+
+/* Solves a tree and applies what was found; true: solved, and a foot began to slide. */
+static bool settle(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root,
+                   bool known)
+{
+    bool some = false;
+    open_tree(s, t, root, known);
+    for (int32_t n = 0; n < FOOT_TRIES && root->state == LIMB_OPEN; n++) {
+        try_quickly(s, law, t, root);
+        if (root->state == LIMB_OPEN) try_carefully(s, law, t, root);
+        if (root->state != LIMB_RIGHT || !some_slip(s, t, root)) break;
+        some = true;
+        root->state = n + 1 < FOOT_TRIES ? LIMB_OPEN : LIMB_FAILS;
+    }
+    for (int32_t i = root->root; i < root->links; i++) close_limb(s, t, &t->limb[i]);
+    return some && root->state == LIMB_RIGHT;
+}
+
 void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
                    wfReal fastest)
 {
@@ -878,13 +927,12 @@ void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
         bool loops = root->links > root->end;
         Law law = { soft || loops, loops || root->lands ? 0 : bias, fastest,
                     push_noise(s, t, root) };
-        open_tree(s, t, root, root->state == LIMB_RIGHT);
         law.bias *= share_of_lift(s, t, root, law.bias);
-        try_quickly(s, &law, t, root);
-        if (root->state == LIMB_OPEN) try_carefully(s, &law, t, root);
-        for (int32_t i = at; i < root->links && root->state == LIMB_RIGHT; i++)
-            if (foot_slips(s, &t->limb[i])) root->state = LIMB_FAILS;
-        for (int32_t i = at; i < root->links; i++) close_limb(s, t, &t->limb[i]);
+        rub_feet(s, t, root);
+        if (settle(s, &law, t, root, root->state == LIMB_RIGHT)) {
+            rub_feet(s, t, root);
+            settle(s, &law, t, root, true);
+        }
         if (root->state != LIMB_RIGHT) take_back(s, t, root);
         root->given_up = loops && root->state != LIMB_RIGHT;
     }

@@ -32,6 +32,7 @@ typedef struct wfLimb {
     int32_t points;              /* bits of the points that bear */
     int32_t height;              /* limbs from the ground to this one */
     uint8_t rows, state;
+    bool    slides;              /* its foot slips: friction is left to a pass */
     bool    upside;              /* the body is the contact's a */
     bool    given_up;            /* a root with loops: by passes for the rest of the step */
     bool    lands;               /* a root: only its velocities are solved at once */
@@ -64,7 +65,7 @@ size_t wfStackScratch(int32_t bodies, int32_t contacts);
 /* A gap of no more counts as a touch, m. */
 wfReal wfNearGap(const wfSubsteps *s, int32_t contact);
 /* Solves all trees: b and gamma / K of eq:soft-follow, how fast overlap is left at most.
- * What can't be, for a point would have to pull or a foot slips, is left to passes. */
+ * A tree whose bearing points don't settle is left to passes. */
 void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
                    wfReal fastest);
 /* Takes back what the sums that were just handed out have too much, eq:soft-memory. */
