@@ -503,8 +503,7 @@ static void open_limb(const wfSubsteps *s, wfLimb *l, wfLimb *root, bool known)
 
 static void open_tree(const wfSubsteps *s, wfStacks *t, wfLimb *root, bool known)
 {
-    for (int32_t i = root->root; i < root->links; i++)
-        open_limb(s, &t->limb[i], root, known);
+    for (wfLimb *l = root; l < t->limb + root->links; l++) open_limb(s, l, root, known);
     root->state = LIMB_OPEN;
 }
 
@@ -874,8 +873,7 @@ static wfReal share_of_lift(const wfSubsteps *s, const wfStacks *t, const wfLimb
 /* Drags the feet that slide; one that no longer does gets its row back. */
 static void rub_feet(const wfSubsteps *s, wfStacks *t, wfLimb *root)
 {
-    for (int32_t i = root->root; i < root->links; i++) {
-        wfLimb *l = &t->limb[i];
+    for (wfLimb *l = root; l < t->limb + root->links; l++) {
         wfPrepared *c = &s->c[l->contact];
         wfReal normal = 0, tangent = 0;
         if (!l->slides) continue;
@@ -893,10 +891,10 @@ static void rub_feet(const wfSubsteps *s, wfStacks *t, wfLimb *root)
 static bool some_slip(const wfSubsteps *s, wfStacks *t, wfLimb *root)
 {
     bool some = false;
-    for (int32_t i = root->root; i < root->links; i++) {
-        if (!foot_slips(s, &t->limb[i])) continue;
-        t->limb[i].slides = some = true;
-        make_stale(root, &t->limb[i]);
+    for (wfLimb *l = root; l < t->limb + root->links; l++) {
+        if (!foot_slips(s, l)) continue;
+        l->slides = some = true;
+        make_stale(root, l);
     }
     return some;
 }
@@ -914,7 +912,7 @@ static bool settle(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *roo
         some = true;
         root->state = n + 1 < FOOT_TRIES ? LIMB_OPEN : LIMB_FAILS;
     }
-    for (int32_t i = root->root; i < root->links; i++) close_limb(s, t, &t->limb[i]);
+    for (wfLimb *l = root; l < t->limb + root->links; l++) close_limb(s, t, l);
     return some && root->state == LIMB_RIGHT;
 }
 
@@ -928,10 +926,9 @@ void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
         Law law = { soft || loops, loops || root->lands ? 0 : bias, fastest,
                     push_noise(s, t, root) };
         law.bias *= share_of_lift(s, t, root, law.bias);
-        rub_feet(s, t, root);
-        if (settle(s, &law, t, root, root->state == LIMB_RIGHT)) {
+        for (int32_t turn = 0; turn < 2; turn++) {
             rub_feet(s, t, root);
-            settle(s, &law, t, root, true);
+            if (!settle(s, &law, t, root, root->state == LIMB_RIGHT)) break;
         }
         if (root->state != LIMB_RIGHT) take_back(s, t, root);
         root->given_up = loops && root->state != LIMB_RIGHT;
