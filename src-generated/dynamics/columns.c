@@ -467,15 +467,20 @@ static bool points_are_right(const wfSubsteps *s, const Law *law, const wfStacks
     return l->points == bear;
 }
 
+/* By how much a foot bears more than this share of mu times its normal sum; < 0: less. */
+static wfReal slip_of(const wfPrepared *c, wfReal normal, wfReal tangent, wfReal share)
+{
+    for (int32_t k = 0; k < c->count; k++)
+        normal += c->p[k].normal, tangent += c->p[k].tangent;
+    return wfAbs(tangent) - share * c->friction * normal;
+}
+
 static bool foot_slips(const wfSubsteps *s, const wfLimb *l)
 {
     const wfPrepared *c = &s->c[l->contact];
     if (l->slides) return false;
-    wfReal normal = l->wave.push[0];
     wfReal tangent = c->friction > 0 && l->rows > 0 ? l->wave.push[l->rows - 1] : 0;
-    for (int32_t k = 0; k < c->count; k++)
-        normal += c->p[k].normal, tangent += c->p[k].tangent;
-    return wfAbs(tangent) > c->friction * normal;
+    return slip_of(c, l->wave.push[0], tangent, 1) > 0;
 }
 
 /* The points of limb l have changed: it and what is under it are folded anew. */
@@ -875,14 +880,11 @@ static void rub_feet(const wfSubsteps *s, wfStacks *t, wfLimb *root)
 {
     for (wfLimb *l = root; l < t->limb + root->links; l++) {
         wfPrepared *c = &s->c[l->contact];
-        wfReal normal = 0, tangent = 0;
         if (!l->slides) continue;
         wfPairMotion m = wfTakePair(s->in, c);
         wfSolveFriction(c, &m);
         wfGivePair(s->in, c, &m);
-        for (int32_t k = 0; k < c->count; k++)
-            normal += c->p[k].normal, tangent += c->p[k].tangent;
-        if (!(wfAbs(tangent) < WF_R(0.999) * c->friction * normal)) continue;
+        if (!(slip_of(c, 0, 0, WF_R(0.999)) < 0)) continue;
         l->slides = false;
         make_stale(root, l);
     }
@@ -903,17 +905,16 @@ static bool some_slip(const wfSubsteps *s, wfStacks *t, wfLimb *root)
 static bool settle(const wfSubsteps *s, const Law *law, wfStacks *t, wfLimb *root,
                    bool known)
 {
-    bool some = false;
+    int32_t tries = 0;
     open_tree(s, t, root, known);
-    for (int32_t n = 0; n < FOOT_TRIES && root->state == LIMB_OPEN; n++) {
+    for (; tries < FOOT_TRIES; tries++) {
         try_quickly(s, law, t, root);
         if (root->state == LIMB_OPEN) try_carefully(s, law, t, root);
         if (root->state != LIMB_RIGHT || !some_slip(s, t, root)) break;
-        some = true;
-        root->state = n + 1 < FOOT_TRIES ? LIMB_OPEN : LIMB_FAILS;
+        root->state = LIMB_OPEN;
     }
     for (wfLimb *l = root; l < t->limb + root->links; l++) close_limb(s, t, l);
-    return some && root->state == LIMB_RIGHT;
+    return tries > 0 && root->state == LIMB_RIGHT;
 }
 
 void wfSolveStacks(const wfSubsteps *s, wfStacks *t, bool soft, wfReal bias,
