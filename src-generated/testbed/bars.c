@@ -377,6 +377,8 @@ void game_key_sheet(ui *u, const game_state *s, float x)
         { "% &", "film; film as single pictures" },
         { "M", "arrows and Enter are the mouse" },
         { "N, Delete", "choose a body; remove it" },
+        { "Ctrl-A, Esc", "choose all bodies, none" },
+        { "Ctrl-C -V -D", "copy, put down, double" },
         { ", and .", "back and forth in time" }, { "Ctrl-Z, -Y", "undo, redo" },
             { "< and >", "slower, faster" },
         { "PgDn, PgUp", "to the next, last widget" }, { "Enter", "press it" },

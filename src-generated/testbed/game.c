@@ -312,6 +312,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
     }
     wfPut(&w, "tape %d\nneeds %u\nfilming %d %d\n", (int)s->tape, (unsigned)game_needs_now(&g),
         (int)s->filming, (int)(s->film.pictures + s->frame_count));
+    if (s->tools.joint.index) game_say_joint(&w, &g);
     wfPut(&w, "tool %s\nchosen %d\nsaid %s\n", toolTable[s->tools.tool].name,
         (int)s->tools.count, s->tools.said);
     wfPut(&w, "hover %d\nmenu %d\nfollow %d\nhint %d\ncursor %d\n",
