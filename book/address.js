@@ -4,12 +4,14 @@
   'use strict';
   const game = document.getElementById('testbed').game, link = () => game.parts() > 1 ? game.say('web_link') : '', MOST = 8192;
   const through = async (bytes, stream) => new Uint8Array(await new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer());
-  const letters = bytes => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); return btoa(t).replace(/[+/=]/g, c => ({ '+': '-', '/': '_' }[c] || '')); };
+  const binary = bytes => { let t = ''; bytes.forEach(b => { t += String.fromCharCode(b); }); return t; };
+  const letters = bytes => btoa(binary(bytes)).replace(/[+/=]/g, c => ({ '+': '-', '/': '_' }[c] || ''));
   const bytesOf = text => Uint8Array.from(atob(text.replace(/[-_]/g, c => ({ '-': '+', _: '/' }[c]))), c => c.charCodeAt(0));
   let linked = null;                                   // a world that came by the address, for the next load
   // what the game wants of files: the world of the address, and a world that goes into one; a larger one is a file
   game.own = (wish, name, bytes) => {
     if (wish === 3 && name === 'link.save') { copy(bytes); return bytes; }
+    if (wish === 1 && name === 'world.save' && keeping) { sessionStorage.setItem(KEPT, keeping + binary(bytes)); keeping = ''; return bytes; }
     if (wish === 3 && name === 'scene.json') { write(bytes); return bytes; }
     if (wish === 2 && name === 'scene.json') return choose('.json,application/json');
     if (wish !== 2 || name !== 'world.save') return null;
@@ -69,11 +71,44 @@
     for (const [name, value] of told) game.set(name, +value);
     if (!world) return;
     try {
-      linked = await through(bytesOf(world), new DecompressionStream('deflate-raw'));
-      for (let i = 0; i < 4; i++) game.frame(0, 0);    // its settings may be on the card
-      game.key(97);                                    // A: load
-      for (let i = 0; i < 4; i++) game.frame(0, 0);
+      load(await through(bytesOf(world), new DecompressionStream('deflate-raw')));
     } catch (e) { linked = null; say('!this link is damaged: its world can\'t be read'); }
+  };
+  const frames = () => { for (let i = 0; i < 4; i++) game.frame(0, 0); };
+  const load = bytes => {
+    frames();                                          // its settings may be on the card
+    linked = bytes;
+    game.key(97);                                      // A: load
+    frames();
+  };
+  // A reload brings the world back. As the page goes, a world that was changed is written into the tab's own storage, and the next page of the
+  // same scene loads it. In a challenge nothing is kept, for a try begins at its beginning; where there is no storage, or too little, neither.
+  const KEPT = 'weft/tab';
+  let keeping = '';                                    // the scene's address and whether time stands, while a world is being kept
+  const keep = () => {
+    try {
+      sessionStorage.removeItem(KEPT);
+      const now = going ? '' : link();
+      if (!now || now.startsWith('challenge=') || !game.act(x => x.web_work())) return;
+      if (game.act(x => x.web_letters())) game.key(27);
+      frames();
+      keeping = `${now}\n${/^paused 1$/m.test(game.describe()) ? 1 : 0}\n`;
+      game.key(119);                                   // W: save
+      frames();
+      say('');
+    } catch (e) { /* there is no storage: the browser has asked */ }
+    keeping = '';
+  };
+  const restore = async () => {
+    let kept = '';
+    try { kept = sessionStorage.getItem(KEPT) || ''; sessionStorage.removeItem(KEPT); } catch (e) { return; }
+    const [now, still] = kept.split('\n', 2), from = now.length + 3;
+    if (!kept || sceneOf(now) !== sceneOf(first)) return;
+    await game.more();
+    load(Uint8Array.from(kept.slice(from), c => c.charCodeAt(0)));
+    if (/^paused 1$/m.test(game.describe()) !== (still === '1')) game.key(112);
+    say('your world is here again, as it was before the reload; Reset begins anew');
+    game.frame(0, 0);
   };
   // another scene is a step of the page's history, another setting is not
   const sceneOf = text => text.replace(/&.*/, '');
@@ -104,7 +139,15 @@
     for (let i = 0; i < 9 && !game.act(give); i++) game.frame(0, 0);       // its settings may be on the card
     game.frame(0, 0);
   };
-  if (/[=&]/.test(location.hash)) came(location.hash.slice(1));
+  (async () => {
+    going = true;
+    if (/[=&]/.test(location.hash)) await go(location.hash.slice(1));
+    await restore();
+    shown = link() || shown;
+    going = false;
+  })();
+  addEventListener('pagehide', keep);
+  document.addEventListener('visibilitychange', () => { if (document.hidden) keep(); });
   setInterval(follow, 500);
   addEventListener('popstate', () => came(location.hash.slice(1) || first));
 })();

@@ -387,7 +387,7 @@
       act(x => x.web_wheel(notches));
     }, { passive: false });
     canvas.addEventListener('keydown', e => {
-      const k = e.altKey ? 0 : e.ctrlKey || e.metaKey ? { z: 136, Z: 137, y: 137, a: 138 }[e.key] || 0 : keyOf(e);
+      const k = e.altKey ? 0 : e.ctrlKey || e.metaKey ? { z: 136, Z: 137, y: 137, a: 138, c: 139, v: 140, d: 141 }[e.key] || 0 : keyOf(e);
       if (!k || k === 9) return;                       // Tab goes on to the next thing of the page
       if (k === 27 && !options.whole) { canvas.blur(); return; }
       e.preventDefault();

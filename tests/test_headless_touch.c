@@ -1,5 +1,6 @@
 /* The testbed under fingers, and tips: what a finger that comes down, moves and goes up does to widgets, lists and the world; and distances of the wheel. */
 #include "play.h"
+#include "testbed/tools.h"
 
 static double widget(play *p, const char *name, int n)
 {
@@ -69,6 +70,37 @@ TEST(the_list_is_a_drawer)
     assert_null(strstr(p.text, "widget contacts "));
     assert_non_null(strstr(p.text, "widget spring net "));
     play_end(&p);
+}
+
+/* In a row of icons and one of choices, each within the window and wide enough for a finger; the words come where they fit. */
+TEST(the_tools_of_a_telephone_take_two_rows)
+{
+    static const int sizes[][2] = { { 390, 844 }, { 360, 640 }, { 844, 390 } };
+    for (int k = 0; k < 3; k++) {
+        play p = play_open(2 * sizes[k][0], 2 * sizes[k][1], 2);
+        play_run(&p, "finger 1\nsteps 0\nscene bridge\nframe\nframe\n");
+        if (!play_line(&p, "widget Place")) press(&p, "Tools");
+        for (int i = 0; i < toolCount; i++) {
+            double y[3] = { 0 }, before = -1e6;
+            int rows = 0;
+            press(&p, toolTable[i].name);
+            assert_non_null(strstr(p.text, "\ntool "));
+            for (int n = 0; n < toolCount + TOOL_CHOICES; n++) {
+                bool tool = n < toolCount;
+                if (!tool && !(toolTable[i].choices & 1u << (n - toolCount))) continue;
+                const char *name = tool ? toolTable[n].name : toolChoices[n - toolCount].name;
+                double at[2] = { widget(&p, name, 0), widget(&p, name, 1) };
+                bool known = false;
+                for (int r = 0; r < rows; r++) known |= fabs(y[r] - at[1]) < 8;
+                if (!known && rows == 2) fail_msg("%d x %d, %s: %s is in a third row", sizes[k][0], sizes[k][1], toolTable[i].name, name);
+                if (!known) y[rows++] = at[1], before = -1e6;
+                if (at[0] < 20 || at[0] > 2 * sizes[k][0] - 20 || at[0] - before < 56)
+                    fail_msg("%d x %d: %s at %g, after %g", sizes[k][0], sizes[k][1], name, at[0], before);
+                before = at[0];
+            }
+        }
+        play_end(&p);
+    }
 }
 
 TEST(one_finger_moves_the_view_where_nothing_is_held)

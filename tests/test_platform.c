@@ -265,7 +265,8 @@ static int32_t random_key(void)
 {
     static const int32_t named[] = { GAME_KEY_BACKSPACE, GAME_KEY_TAB, GAME_KEY_ENTER, GAME_KEY_ESCAPE, GAME_KEY_SPACE,
         GAME_KEY_DELETE, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP, GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END,
-        GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN, GAME_KEY_UNDO, GAME_KEY_REDO, GAME_KEY_ALL };
+        GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN, GAME_KEY_UNDO, GAME_KEY_REDO, GAME_KEY_ALL,
+        GAME_KEY_COPY, GAME_KEY_PASTE, GAME_KEY_DOUBLE };
     return dice(2) ? (int32_t)(33 + dice(94)) : named[dice(sizeof named / sizeof *named)];
 }
 

@@ -225,7 +225,7 @@ bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
 {
     float w = button_wide(name);
     if (w < b->least) w = b->least;
-    if (b->terse && ui_has_icon(name)) w = UI_ICON;
+    if (b->terse && ui_has_icon(name)) w = b->icon;
     bar_room(b, w);
     bool hit = ui_button(u, name, b->x, b->y, w, on);
     ui_tip(u, name, text, b->x, b->y, w, 24);
@@ -235,17 +235,21 @@ bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
 
 void game_buttons(ui *u, game *g, bar *b)
 {
+    bool terse = b->terse;
     for (int i = 0; i < BUTTONS; i++) {
         const button_row *row = &button_table[i];
         bool on = is_on(g, row), narrow = g->state->finger && g->state->width < LIST_ROOM;
         if (narrow && (row->press == press_previous || row->press == press_next ||
                        row->key == '?')) continue;
+        bool brief = (row->press && row->press != press_step) || row->flag == FLAG(dark);
+        if (narrow && !terse) b->terse = brief, b->icon = 30;
         b->least = fmaxf(button_wide(row->name), row->other ? button_wide(row->other) : 0);
         if (bar_button(u, b, on && row->other ? row->other : row->name, on && !row->other,
                        row->text))
             game_press_button(g, row);
     }
     b->least = 0;
+    b->terse = terse;
     if (g->state->rate != 1 && bar_button(u, b, "Real time", false, "as fast as it is"))
         g->state->rate = 1;
     const char *change = g->scene->change;
@@ -377,6 +381,8 @@ void game_key_sheet(ui *u, const game_state *s, float x)
         { "% &", "film; film as single pictures" },
         { "M", "arrows and Enter are the mouse" },
         { "N, Delete", "choose a body; remove it" },
+        { "Ctrl-A, Esc", "choose all bodies, none" },
+        { "Ctrl-C -V -D", "copy, put down, double" },
         { ", and .", "back and forth in time" }, { "Ctrl-Z, -Y", "undo, redo" },
             { "< and >", "slower, faster" },
         { "PgDn, PgUp", "to the next, last widget" }, { "Enter", "press it" },
@@ -413,23 +419,35 @@ void game_choose_tool(game *g, int tool)
 void game_tool_bar(ui *u, game *g, bar *b)
 {
     tool_memory *m = &g->state->tools;
+    float room = b->right - b->left, wide = 106, all = 0, n = 0;
     b->x = b->left;
     b->y += BAR_ROW;
-    for (int i = 0; i < toolCount; i++)
-        if (bar_button(u, b, toolTable[i].name, i == m->tool, toolTable[i].text))
-            game_choose_tool(g, i);
+    for (int i = 0; i < toolCount; i++) all += button_wide(toolTable[i].name) + 4;
+    for (int i = 0; i < TOOL_CHOICES; i++) n += (toolTable[m->tool].choices >> i & 1) != 0;
+    bool tight = all - 4 > room;
+    for (int i = 0; i < toolCount; i++) {
+        const tool_row *t = &toolTable[i];
+        float each = fminf(UI_ICON, room / (float)toolCount);
+        bool hit = !tight && bar_button(u, b, t->name, i == m->tool, t->text);
+        if (tight) hit = ui_button(u, t->name, b->x, b->y, each - 2, i == m->tool);
+        if (tight) ui_tip(u, t->name, t->text, b->x, b->y, each, 24);
+        if (tight) b->x += each;
+        if (hit) game_choose_tool(g, i);
+    }
+    if (tight && n > 0) wide = fminf(wide, (room + 6) / n - 6);
+    if (tight && n > 0) b->x = b->left, b->y += BAR_ROW;
     for (int i = 0; i < TOOL_CHOICES; i++) {
         const tool_names *c = &toolChoices[i];
         int row = m->choice[i];
         if (!(toolTable[m->tool].choices & 1u << i)) continue;
-        bar_room(b, 106);
-        if (ui_choice(u, c->name, b->x, b->y + 1, 106, &row,
+        if (!tight) bar_room(b, wide);
+        if (ui_choice(u, c->name, b->x, b->y + 1, wide, &row,
                       (ui_names){ tool_choice_count, tool_choice_name, c }, false)) {
             m->choice[i] = row;
             if (i == TOOL_JOINT)
                 snprintf(m->said, sizeof m->said, "%s: %s", tool_choice_name(c, row),
                          tool_joint_text(row));
         }
-        b->x += 112;
+        b->x += wide + 6;
     }
 }

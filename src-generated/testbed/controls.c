@@ -3,6 +3,7 @@
 /* What mouse and keys do, and the buttons of a scene that is driven. */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 #include "testbed/panels.h"
 #include "testbed/view.h"
 
@@ -336,7 +337,35 @@ static void remove_chosen(game *g)
 {
     tool_work w = game_tools_of(g);
     tool_forget(&w);
-    if (g->state->tools.count) tool_remove_chosen(&w);
+    if (w.memory->count || w.memory->joint.index) tool_remove_chosen(&w);
+}
+
+/* All that can move; Escape: none. */
+WF_APART static void choose_all(game *g, bool all)
+{
+    tool_memory *m = &g->state->tools;
+    wfBodyView v = wfWorldBodies(&g->world);
+    tool_choose(m, (wfBodyId){ 0, 0 });
+    m->points = m->probed = m->said[0] = 0;
+    for (int32_t i = 0; all && i < v.count && m->count < TOOL_CHOSEN; i++)
+        if (v.alive[i] && v.props[i].type != WF_STATIC)
+            m->chosen[m->count++] = wfBodyAt(&g->world, i);
+    if (all) snprintf(m->said, sizeof m->said, "bodies chosen: %d", (int)m->count);
+}
+
+/* Ctrl-C takes the chosen bodies down, Ctrl-V puts copies of them, Ctrl-D does both. */
+WF_APART static void copy_chosen(game *g, int32_t key)
+{
+    tool_work w = game_tools_of(g);
+    tool_memory *m = w.memory;
+    tool_forget(&w);
+    if (key != GAME_KEY_PASTE) {
+        m->copies = m->count;
+        memcpy(m->copied, m->chosen, sizeof *m->chosen * (size_t)m->count);
+        game_tell(g, !m->count, m->count ? "copied: Ctrl-V puts it down"
+                                         : "nothing to copy: choose a body");
+    }
+    if (key != GAME_KEY_COPY) tool_copy_all(&w);
 }
 
 static void turn_body(game *g, wfReal by)
@@ -362,8 +391,15 @@ void game_obey_key(game *g, int32_t key)
     case 't': case 'T': s->input.choice++; break;
     case 'm': case 'M': put_mark(g); break;
     case 'n': case 'N': choose_next(g); break;
-    case GAME_KEY_DELETE: remove_chosen(g); break;
-    case GAME_KEY_ESCAPE: s->menu = s->keys = 0; break;
+    case GAME_KEY_DELETE: case GAME_KEY_BACKSPACE: remove_chosen(g); break;
+    case GAME_KEY_ALL: choose_all(g, true); break;
+    case GAME_KEY_COPY: case GAME_KEY_PASTE: case GAME_KEY_DOUBLE:
+        copy_chosen(g, key);
+        break;
+    case GAME_KEY_ESCAPE:
+        if (!s->menu && !s->keys) choose_all(g, false);
+        s->menu = s->keys = 0;
+        break;
     default:
         if (!s->ui.focus && !(s->driven && game_key_bit(key)) &&
             !game_drives(g, game_key_bit(key))) obey_view_key(g, key);

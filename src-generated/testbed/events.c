@@ -31,6 +31,14 @@ uint32_t game_key_bit(int32_t key)
     return key >= GAME_KEY_LEFT && key <= GAME_KEY_DOWN ? 1u << (key - GAME_KEY_LEFT) : 0;
 }
 
+int32_t game_key_with_control(int32_t letter, bool shift)
+{
+    static const char letters[] = "zyacvd";             /* as GAME_KEY_UNDO and on */
+    for (int32_t i = 0; letters[i]; i++)
+        if (letters[i] == letter) return GAME_KEY_UNDO + (i == 0 && shift ? 1 : i);
+    return 0;
+}
+
 bool game_take_event(game_input *in, const game_event *e)
 {
     uint32_t button = (uint32_t)e->code;

@@ -17,7 +17,7 @@ static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
     float x = game_list_side(s) + 16, mouse = u->x;
-    bar b = { x, s->width - 8, x, 10, s->height < LOW, 0 };
+    bar b = { x, s->width - 8, x, 10, s->height < LOW, 0, UI_ICON };
     if (s->bare) {
         s->head = 0;
         if (s->opened && game_drives_any(g)) game_controls(u, g);
@@ -59,8 +59,8 @@ static void interface(ui *u, game *g, double seconds)
     if (s->keys) game_key_sheet(u, s, x);
     if (s->hint && !s->keys && !covered && !game_hint_is_low(s))
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
-                s->height - FOOT - TIME_BAR - 14 - game_controls_high(g), 16,
-                WF_INK_ACCENT, 0, HINT);
+                s->height - FOOT - TIME_BAR - 14 - game_controls_high(g),
+                s->width < LIST_ROOM ? 13 : 16, WF_INK_ACCENT, 0, HINT);
     if (!drawer || s->menu) u->x = mouse;
     game_body_menu(u, g);
     u->x = s->menu ? -1e6f : mouse;
@@ -312,6 +312,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
     }
     wfPut(&w, "tape %d\nneeds %u\nfilming %d %d\n", (int)s->tape, (unsigned)game_needs_now(&g),
         (int)s->filming, (int)(s->film.pictures + s->frame_count));
+    if (s->tools.joint.index) game_say_joint(&w, &g);
     wfPut(&w, "tool %s\nchosen %d\nsaid %s\n", toolTable[s->tools.tool].name,
         (int)s->tools.count, s->tools.said);
     wfPut(&w, "hover %d\nmenu %d\nfollow %d\nhint %d\ncursor %d\n",

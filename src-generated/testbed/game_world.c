@@ -81,7 +81,8 @@ void game_open_scene(game *g, int row)
     if (s->tape != TAPE_EMPTY) s->tape = TAPE_DONE;
     g->noted = NULL;
     s->read = 0;
-    s->tools.count = 0;
+    tool_choose(&s->tools, (wfBodyId){ 0, 0 });
+    s->tools.copies = 0;
     s->timed = 0;
     memset(s->seconds, 0, sizeof s->seconds);
     s->clock = (step_clock){ 0 };
@@ -211,7 +212,8 @@ wfResult game_adopt(game *g, const wfWorld *made, int32_t moments)
     g->state->read = 1;
     g->state->posed = 0;
     g->state->held = (wfBodyId){ 0 };
-    g->state->tools.count = 0;
+    tool_choose(&g->state->tools, (wfBodyId){ 0, 0 });
+    g->state->tools.copies = 0;
     g->state->undo_at = g->state->undo_count = moments;
     g->state->editing = g->state->back = 0;
     if (g->state->tape != TAPE_EMPTY) g->state->tape = TAPE_DONE;

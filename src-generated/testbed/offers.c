@@ -53,7 +53,7 @@ void game_offer(ui *u, game *g, float x)
         { "Tilt", "down is a bit to the right; again: back", tilt } };
     game_state *s = g->state;
     float y = s->head + 8;                      /* what rests, rests below */
-    bar b = { x, s->width - 8 - game_beside(s), x, y, false, 0 };
+    bar b = { x, s->width - 8 - game_beside(s), x, y, false, 0, 0 };
     if (game_curves(s) || game_has_panes(s))
         b.y = s->height - FOOT - TIME_BAR - 32 - game_controls_high(g);
     for (int i = 0; i < 3; i++) {

@@ -34,7 +34,7 @@ static bool draw_between(game *g, wfDraw *d)
 {
     game_state *s = g->state;
     bool plain = s->show == 0 && !g->scene->draw && s->worlds < 2 && !s->hover.index &&
-                 !s->tools.count;
+                 !s->tools.count && !s->tools.joint.index;
     if (!plain || s->between >= 1 || s->posed != wfWorldSteps(&g->world)) return false;
     wfBodyView v = wfWorldBodies(&g->world);
     int32_t n = v.count < s->poses ? v.count : s->poses;

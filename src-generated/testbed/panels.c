@@ -313,16 +313,23 @@ static float type_line(ui *u, game *g, wfBodyId id, int type, float x, float y, 
     return y + UI_LINE;
 }
 
+static float joint_panel(ui *u, game *g, wfJointId id, float x, float y, float w);
+static float joint_rows(ui *u, game *g, wfBodyId id, float x, float y, float w);
+
 static float body_panel(ui *u, game *g, float x, float y, float w)
 {
     tool_work t = game_tools_of(g);
     wfBodyInfo b;
     double n[BODY_LINES];
+    wfJoint j;
     tool_forget(&t);
+    if (wfGetJoint(&g->world, t.memory->joint, &j) == WF_OK)
+        return joint_panel(u, g, t.memory->joint, x, y, w);
     wfBodyId id = t.memory->count ? t.memory->chosen[0] : (wfBodyId){ 0, 0 };
     if (!game_body_numbers(g, id, &b, n)) {
         ui_text(u, x, y + 15, 13, WF_INK_LINE, -1,
-                g->state->finger ? "Touch a body." : "Click a body, or press N.");
+                g->state->finger ? "Touch a body or a joint."
+                                 : "Click a body or a joint, or press N.");
         return y + UI_LINE;
     }
     char text[80];
@@ -338,7 +345,215 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, UI_LINE);
     }
+    return joint_rows(u, g, id, x, y, w);
+}
+
+enum { J_REST, J_RATIO, J_LOWER, J_UPPER, J_HERTZ, J_RATE, J_PULL, J_SPEED, J_FORCE,
+       J_BREAK, J_TWIST, JOINT_LINES };
+/* What each kind reads: r rest, q ratio, s a spring, f a force, b what breaks it; R, S, M,
+ * L only while it has a spring (R its rest), a motor, limits. */
+static const struct { const char *kind, *reads; } joint_reads[] = {
+    { "revolute", "RSMLb" }, { "weld", "rSb" }, { "turn", "RSMLb" },
+    { "distance", "rSMLb" }, { "prismatic", "RSMLb" }, { "wheel", "RSMLb" },
+    { "hand", "sfb" }, { "servo", "sqfb" }, { "friction", "qfb" },
+    { "pulley", "rqb" }, { "gear", "rqb" }, { "ratchet", "qb" },
+    { "rack", "rqb" }, { "linkage", "rqb" } };
+
+typedef struct joint_line {
+    const char *name, *length, *text;   /* length: its name if it is one */
+    char always, flagged;               /* letters of joint_reads */
+    ui_range range;
+} joint_line;
+
+static const joint_line joint_lines[JOINT_LINES] = {
+    { "rest", "length", "m or rad", 'r', 'R', { -1e20, 1e20, 1, false } },
+    { "ratio", NULL, "of the ways; a ratchet's tooth, rad; an arm, m", 'q', 0,
+      { -1e20, 1e20, 1, false } },
+    { "lower stop", "shortest", "m or rad", 0, 'L', { -1e20, 1e20, 1, false } },
+    { "upper stop", "longest", "m or rad", 0, 'L', { -1e20, 1e20, 1, false } },
+    { "hertz", NULL, "of the spring, for both bodies", 's', 'S', { 0.01, 1000, 1, false } },
+    { "damping", NULL, "0: swings for ever, 1: not at all", 's', 'S',
+      { 0, 100, 0.5, false } },
+    { "spring force", NULL, "at most, N or N m; 0: any", 0, 'S', { 0, 1e20, 10, false } },
+    { "motor speed", NULL, "m/s or rad/s", 0, 'M', { -1e20, 1e20, 1, false } },
+    { "motor force", NULL, "at most, N or N m", 'f', 'M', { 0, 1e20, 10, false } },
+    { "break force", NULL, "N: breaks it; 0: nothing does", 'b', 0,
+      { 0, 1e20, 100, false } },
+    { "break torque", NULL, "N m: breaks it; 0: nothing does", 'b', 0,
+      { 0, 1e20, 100, false } },
+};
+
+static bool joint_is(const wfJoint *j, const char *kind)
+{
+    return strcmp(wfJointTable[j->kind].name, kind) == 0;
+}
+
+static bool joint_reads_it(const wfJoint *j, char letter)
+{
+    for (size_t i = 0; letter && i < sizeof joint_reads / sizeof *joint_reads; i++)
+        if (joint_is(j, joint_reads[i].kind))
+            return strchr(joint_reads[i].reads, letter) != NULL;
+    return false;
+}
+
+static bool joint_shows(const wfJoint *j, int row)
+{
+    const joint_line *l = &joint_lines[row];
+    int32_t flag = l->flagged == 'M' ? WF_JOINT_MOTOR :
+                   l->flagged == 'L' ? WF_JOINT_LIMITS : WF_JOINT_SPRING;
+    bool rope = joint_is(j, "distance") && (j->flags & WF_JOINT_LIMITS) &&
+                !(j->flags & WF_JOINT_SPRING);
+    if (rope && row == J_REST) return false;
+    return joint_reads_it(j, l->always) ||
+           ((j->flags & flag) && joint_reads_it(j, l->flagged));
+}
+
+/* kg, or kg m^2 for a turn: what the spring moves. */
+static wfReal moved_mass(const game *g, const wfJoint *j)
+{
+    const wfBodyState *v = wfWorldBodies(&g->world).state;
+    const wfBodyState *a = &v[j->a], *b = &v[j->b];
+    bool turns = joint_is(j, "revolute") || joint_is(j, "weld") || joint_is(j, "turn");
+    wfReal one = joint_is(j, "hand") ? 0 : turns ? a->invInertia : a->invMass;
+    one += turns ? b->invInertia : b->invMass;
+    return one > 0 ? 1 / one : 1;
+}
+
+static void joint_numbers(const game *g, const wfJoint *j, double n[JOINT_LINES])
+{
+    wfReal m = moved_mass(g, j), swing = wfSqrt(j->stiffness * m);
+    const double now[JOINT_LINES] = {
+        (double)j->rest, (double)j->ratio, (double)j->lower, (double)j->upper,
+        (double)(swing / (m * 2 * WF_PI)),
+        (double)(swing > 0 ? j->damping / (2 * swing) : 0),
+        (double)j->springForce, (double)j->motorSpeed, (double)j->motorForce,
+        (double)j->breakForce, (double)j->breakTorque };
+    memcpy(n, now, sizeof now);
+}
+
+static void put_number(const game *g, wfJoint *j, int row, const double n[JOINT_LINES])
+{
+    wfReal x = (wfReal)n[row];
+    wfReal *const field[JOINT_LINES] = {
+        &j->rest, &j->ratio, &j->lower, &j->upper, NULL, NULL, &j->springForce,
+        &j->motorSpeed, &j->motorForce, &j->breakForce, &j->breakTorque };
+    const wfBodyState *v = wfWorldBodies(&g->world).state;
+    if (!field[row])
+        wfSetJointSpring(j, moved_mass(g, j), (wfReal)n[J_HERTZ], (wfReal)n[J_RATE]);
+    else if (row == J_RATIO && joint_reads_it(j, 'r') && x != 0)
+        wfSetRatio(j, &v[j->a], &v[j->b], x);
+    else *field[row] = x;
+    if (row == J_LOWER && j->upper < x) j->upper = x;       /* takes the other along */
+    if (row == J_UPPER && j->lower > x) j->lower = x;
+}
+
+/* Switches spring, motor or limits; if nothing is set, to something that can be seen. */
+static void turn_flag(const game *g, wfJointId id, wfJoint *j, int32_t flag)
+{
+    wfReal m = moved_mass(g, j), at = 0;
+    j->flags ^= flag;
+    if (flag == WF_JOINT_SPRING && !(j->stiffness > 0))
+        wfSetJointSpring(j, m, 2, WF_R(0.2));
+    if (flag == WF_JOINT_MOTOR && !(j->motorForce > 0))
+        j->motorForce = 98 * m, j->motorSpeed = 2;
+    if (flag != WF_JOINT_LIMITS || j->lower != 0 || j->upper != 0) return;
+    wfGetJointMotion(&g->world, id, &at, NULL);
+    bool rope = joint_is(j, "distance");
+    j->lower = rope ? 0 : at - WF_R(0.5);
+    j->upper = rope ? at : at + WF_R(0.5);
+}
+
+static void give_joint(game *g, wfJointId id, const wfJoint *j, const char *what)
+{
+    tool_work w = game_tools_of(g);
+    wfInput in = { .kind = WF_INPUT_SET_JOINT, .index = id.index,
+                   .generation = id.generation, .joint = *j };
+    tell_change(g, tool_give(&w, 0, &in, NULL), what);
+}
+
+static float joint_ends(ui *u, game *g, const wfJoint *j, float x, float y, float w)
+{
+    const int32_t end[] = { j->a, j->b };
+    char name[GAME_NAME_SIZE];
+    for (int i = 0; i < 2 && panel_shows(g, y, 26); i++) {
+        snprintf(name, sizeof name, "body %d", (int)end[i]);
+        if (ui_button(u, name, x + (i ? w / 2 + 3 : 0), y, w / 2 - 3, false))
+            tool_choose(&g->state->tools, wfBodyAt(&g->world, end[i]));
+    }
+    return y + 30;
+}
+
+static float joint_panel(ui *u, game *g, wfJointId id, float x, float y, float w)
+{
+    static const struct { const char *name; char letter; int32_t flag; } part[] = {
+        { "spring", 'S', WF_JOINT_SPRING }, { "motor", 'M', WF_JOINT_MOTOR },
+        { "limits", 'L', WF_JOINT_LIMITS } };
+    double n[JOINT_LINES];
+    char text[80];
+    wfJoint j;
+    if (wfGetJoint(&g->world, id, &j) != WF_OK) return y;
+    bool broken = (j.flags & WF_JOINT_BROKEN) != 0;
+    snprintf(text, sizeof text, "joint %d, %s%s, between", (int)id.index - 1,
+             wfJointTable[j.kind].name, broken ? ", broken" : "");
+    if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
+    y = joint_ends(u, g, &j, x, y + UI_LINE, w);
+    for (int i = 0; i < 3; i++) {
+        if (!joint_reads_it(&j, part[i].letter)) continue;
+        if (panel_shows(g, y, ROW) &&
+            ui_check(u, part[i].name, x, y, w, (j.flags & part[i].flag) != 0)) {
+            turn_flag(g, id, &j, part[i].flag);
+            give_joint(g, id, &j, part[i].name);
+        }
+        y += ROW + 2;
+    }
+    joint_numbers(g, &j, n);
+    for (int i = 0; i < JOINT_LINES; i++) {
+        const joint_line *l = &joint_lines[i];
+        bool length = l->length && (joint_is(&j, "distance") || joint_is(&j, "pulley"));
+        const char *name = length ? l->length : l->name;
+        if (!joint_shows(&j, i)) continue;
+        if (panel_shows(g, y, UI_LINE)) {
+            if (ui_number(u, name, x, y, w, &n[i], l->range, false)) {
+                put_number(g, &j, i, n);
+                give_joint(g, id, &j, name);
+            }
+            ui_tip(u, name, l->text, x, y, w, UI_LINE);
+        }
+        y += UI_LINE;
+    }
+    if (panel_shows(g, y + 4, 26) && ui_button(u, "Remove the joint", x, y + 4, w, false)) {
+        tool_work t = game_tools_of(g);
+        tool_remove_chosen(&t);
+    }
+    return y + 34;
+}
+
+/* The joints of a body, to be chosen. */
+static float joint_rows(ui *u, game *g, wfBodyId id, float x, float y, float w)
+{
+    wfJointId at = wfNextJoint(&g->world, id, (wfJointId){ 0, 0 });
+    for (; at.index; at = wfNextJoint(&g->world, id, at), y += UI_LINE) {
+        wfJoint j;
+        char name[GAME_NAME_SIZE];
+        if (!panel_shows(g, y, UI_LINE) || wfGetJoint(&g->world, at, &j) != WF_OK) continue;
+        snprintf(name, sizeof name, "joint %d: %s", (int)at.index - 1,
+                 wfJointTable[j.kind].name);
+        tool_work t = game_tools_of(g);
+        if (ui_row(u, name, x, y, w, false)) tool_choose_joint(&t, at);
+    }
     return y;
+}
+
+void game_say_joint(wfWriter *w, const game *g)
+{
+    wfJoint j;
+    double n[JOINT_LINES];
+    if (wfGetJoint(&g->world, g->state->tools.joint, &j) != WF_OK) return;
+    joint_numbers(g, &j, n);
+    wfPut(w, "joint %d %s flags %d numbers", (int)g->state->tools.joint.index - 1,
+          wfJointTable[j.kind].name, (int)j.flags);
+    for (int i = 0; i < JOINT_LINES; i++) wfPut(w, " %.9g", n[i]);
+    wfPut(w, "\n");
 }
 
 uint32_t game_needs_now(const game *g)

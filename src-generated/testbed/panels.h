@@ -21,8 +21,9 @@ typedef struct button_row {
 typedef struct bar {
     float left, right, x, y;
     bool terse;                         /* icons alone */
-    float least;                        /* the width of the next, at least */
+    float least, icon;                  /* the width of the next, at least; of icons */
 } bar;
+enum { TAB_BODY = 1 };               /* a row of the panels */
 enum { B_MASS, B_DENSITY, B_BOUNCE, B_FRICTION, B_DRAG, B_SPIN_DRAG, B_VX, B_VY, B_SPIN,
        BODY_LINES };
 /* files: the card is at home; it is sent; what came with it is taken */
@@ -69,6 +70,7 @@ float game_finger_way(const ui *u, const game *g);
 int32_t game_panel_count(void);
 bool game_body_numbers(const game *g, wfBodyId id, wfBodyInfo *b, double out[BODY_LINES]);
 uint32_t game_needs_now(const game *g);
+void game_say_joint(wfWriter *w, const game *g);        /* the chosen one's numbers */
 void game_file_key(game *g, int32_t key);               /* does what the key is for */
 void game_settings_panel(ui *u, game *g);
 WF_APART void game_draw_curves(ui *u, game *g);

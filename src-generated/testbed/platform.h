@@ -52,7 +52,8 @@ enum {
     GAME_KEY_BACKSPACE = 8, GAME_KEY_TAB = 9, GAME_KEY_ENTER = 13, GAME_KEY_ESCAPE = 27,
     GAME_KEY_SPACE = 32, GAME_KEY_DELETE = 127, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
     GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN,
-    GAME_KEY_UNDO, GAME_KEY_REDO, GAME_KEY_ALL  /* Ctrl-Z; Ctrl-Shift-Z or -Y; Ctrl-A */
+    GAME_KEY_UNDO, GAME_KEY_REDO, GAME_KEY_ALL, /* Ctrl-Z; Ctrl-Shift-Z or -Y; Ctrl-A */
+    GAME_KEY_COPY, GAME_KEY_PASTE, GAME_KEY_DOUBLE                  /* Ctrl-C, -V, -D */
 };
 /* What a command line may press by itself: sec:platform-pictures. */
 enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
@@ -62,6 +63,8 @@ enum { GAME_MAX_KEYS = 8 };
 /* The bit of a key that can be held: 1, 2, 4, 8 for left, right, up, down, 16 for Enter; 0
    for any other. */
 uint32_t game_key_bit(int32_t key);
+/* What a small letter with Ctrl (Command on a Mac) means; 0: nothing. */
+int32_t game_key_with_control(int32_t letter, bool shift);
 
 /* All that the user and the clock did since the last call: plain data. */
 typedef struct game_input {

@@ -16,11 +16,11 @@ static const named_code button_names[] = {
 static const named_code key_names[] = {
     { "backspace", GAME_KEY_BACKSPACE }, { "tab", GAME_KEY_TAB },
     { "enter", GAME_KEY_ENTER }, { "escape", GAME_KEY_ESCAPE }, { "space", GAME_KEY_SPACE },
-    { "delete", GAME_KEY_DELETE },
-    { "left", GAME_KEY_LEFT }, { "right", GAME_KEY_RIGHT }, { "up", GAME_KEY_UP },
-    { "down", GAME_KEY_DOWN }, { "home", GAME_KEY_HOME }, { "end", GAME_KEY_END },
-    { "page-up", GAME_KEY_PAGE_UP }, { "page-down", GAME_KEY_PAGE_DOWN },
-    { "undo", GAME_KEY_UNDO }, { "redo", GAME_KEY_REDO }, { "all", GAME_KEY_ALL },
+    { "delete", GAME_KEY_DELETE }, { "left", GAME_KEY_LEFT }, { "right", GAME_KEY_RIGHT },
+    { "up", GAME_KEY_UP }, { "down", GAME_KEY_DOWN }, { "home", GAME_KEY_HOME },
+    { "end", GAME_KEY_END }, { "page-up", GAME_KEY_PAGE_UP }, { "undo", GAME_KEY_UNDO },
+    { "page-down", GAME_KEY_PAGE_DOWN }, { "redo", GAME_KEY_REDO }, { "all", GAME_KEY_ALL },
+    { "copy", GAME_KEY_COPY }, { "paste", GAME_KEY_PASTE }, { "double", GAME_KEY_DOUBLE },
     { NULL, 0 }
 };
 

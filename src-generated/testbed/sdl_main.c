@@ -94,15 +94,6 @@ static int32_t key_of(SDL_Keycode code)
     return 0;
 }
 
-/* What the keys with Ctrl (Command on a Mac) mean. */
-static int32_t with_control(const SDL_KeyboardEvent *e)
-{
-    if (e->keysym.sym == SDLK_y) return GAME_KEY_REDO;
-    if (e->keysym.sym == SDLK_a) return GAME_KEY_ALL;
-    if (e->keysym.sym != SDLK_z) return 0;
-    return e->keysym.mod & KMOD_SHIFT ? GAME_KEY_REDO : GAME_KEY_UNDO;
-}
-
 static int32_t button_of(uint8_t index)
 {
     return index == SDL_BUTTON_LEFT ? GAME_BUTTON_LEFT
@@ -151,7 +142,8 @@ static void take_event(sdl_app *app, const SDL_Event *e)
         break;
     case SDL_KEYDOWN:
         take(app, GAME_EVENT_KEY, 0, 0, e->key.keysym.mod & (KMOD_CTRL | KMOD_GUI)
-             ? with_control(&e->key) : key_of(e->key.keysym.sym));
+             ? game_key_with_control(e->key.keysym.sym, e->key.keysym.mod & KMOD_SHIFT)
+             : key_of(e->key.keysym.sym));
         break;
     case SDL_KEYUP:
         if (key_of(e->key.keysym.sym))

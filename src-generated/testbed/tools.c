@@ -61,11 +61,13 @@ void tool_choose(tool_memory *m, wfBodyId id)
 {
     m->count = id.index != 0;
     m->chosen[0] = id;
+    m->joint = m->near = (wfJointId){ 0, 0 };
 }
 
 void tool_lead(tool_memory *m, wfBodyId id)
 {
     wfBodyId first = m->chosen[0];
+    m->near = (wfJointId){ 0, 0 };
     if (!tool_is_chosen(m, id)) tool_choose(m, id);
     for (int32_t i = 1; i < m->count; i++)
         if (m->chosen[i].index == id.index) m->chosen[i] = first, m->chosen[0] = id;
@@ -79,6 +81,8 @@ void tool_forget(tool_work *w)
         if (wfBodyIsValid(w->world, m->chosen[i])) m->chosen[kept++] = m->chosen[i];
     m->count = kept;
     if (!wfBodyIsValid(w->world, m->body)) m->body = (wfBodyId){ 0 };
+    wfJoint j;
+    if (wfGetJoint(w->world, m->joint, &j) != WF_OK) m->joint = (wfJointId){ 0, 0 };
 }
 
 /* How far a place is from a body, m; more than reach: no nearer than that. */
@@ -120,6 +124,81 @@ static void choose_one(tool_work *w)
 {
     tool_memory *m = w->memory;
     if (!tool_is_chosen(m, m->body)) tool_choose(m, m->body);
+}
+
+static wfReal distance_to_line(wfVec2 a, wfVec2 b, wfVec2 at)
+{
+    wfVec2 d = wfSub(b, a);
+    wfReal length = wfLengthSq(d), t = length > 0 ? wfDot(wfSub(at, a), d) / length : 0;
+    return wfLength(wfSub(at, wfAddScaled(a, wfClamp(t, 0, 1), d)));
+}
+
+/* How far a place is from what was drawn, m. */
+static wfReal distance_to_ink(const wfDraw *d, wfVec2 at)
+{
+    wfReal best = WF_R(1e20);
+    for (int i = 0; i < d->count; i++) {
+        const wfDrawCommand *c = wfDrawAt(d, i);
+        const float *p = wfDrawPoints(d, c);
+        wfReal r = c->kind == WF_DRAW_CIRCLE ? (wfReal)c->radius : 0;
+        for (int k = 0; k < c->count; k++) {
+            int last = k > 0 ? k - 1 : c->kind == WF_DRAW_POLYGON ? c->count - 1 : 0;
+            wfVec2 a = wfV2((wfReal)p[2 * last], (wfReal)p[2 * last + 1]);
+            wfVec2 b = wfV2((wfReal)p[2 * k], (wfReal)p[2 * k + 1]);
+            best = wfMinR(best, wfMaxR(0, distance_to_line(a, b, at) - r));
+        }
+    }
+    return best;
+}
+
+WF_APART wfJointId tool_pick_joint(const tool_work *w, wfVec2 at, wfJointId last)
+{
+    enum { ROOM = 8192 };
+    const tool_memory *m = w->memory;
+    size_t mark = wfPoolMark(w->scratch);
+    void *room = wfPoolPush(w->scratch, ROOM, WF_POOL_ALIGN);
+    wfReal reach = wfMaxR(6 * m->unit, WF_R(0.6) * m->reach), best = reach;
+    wfJointId found = { 0, 0 }, next = { 0, 0 };
+    bool again = false;
+    wfDraw d;
+    for (int32_t i = 0; room && i < wfWorldJointPlaces(w->world); i++) {
+        wfJointId id = wfJointAt(w->world, i);
+        wfDrawInit(&d, room, ROOM);
+        wfDrawView(&d, 0, 0, m->view, m->view);
+        wfShowJoint(w->world, id, false, &d);
+        wfReal far = distance_to_ink(&d, at);
+        if (far >= reach) continue;
+        again |= id.index == last.index;
+        if (again && id.index != last.index && !next.index) next = id;
+        if (far < best) best = far, found = id;
+    }
+    wfPoolRewind(w->scratch, mark);
+    return next.index ? next : found;
+}
+
+WF_APART void tool_choose_joint(tool_work *w, wfJointId id)
+{
+    wfJoint j;
+    tool_choose(w->memory, (wfBodyId){ 0, 0 });
+    if (wfGetJoint(w->world, id, &j) != WF_OK) return;
+    w->memory->joint = id;
+    say(w->memory, WF_OK, "chosen: joint %d, %s. Settings, page Body, has its numbers",
+        (int)id.index - 1, wfJointTable[j.kind].name);
+}
+
+static void press_hand(tool_work *w)
+{
+    wfJointId last = w->memory->joint;
+    choose_one(w);
+    if (wfWorldJointPlaces(w->world) > 0)
+        w->memory->near = tool_pick_joint(w, w->memory->at, last);
+}
+
+static void click_joint(tool_work *w)
+{
+    const tool_memory *m = w->memory;
+    bool still = wfLength(wfSub(m->at, m->from)) <= 6 * m->unit;
+    if (m->near.index && still) tool_choose_joint(w, m->near);
 }
 
 void tool_carry(tool_work *w, wfBodyId id, wfVec2 grip, const wfReal *angle)
@@ -300,8 +379,9 @@ static wfResult add_outline(tool_work *w, wfVec2 *outline, int n, int *pieces)
     return result;
 }
 
-/* Takes its material from the first shape, its shapes one by one. */
-void tool_copy(tool_work *w, wfBodyId id)
+/* Takes its material from the first shape, its shapes one by one; farther to the right by
+ * this, or, if that is zero, beside it. */
+static wfBodyId copy_body(tool_work *w, wfBodyId id, wfReal aside)
 {
     enum { MOST = 64 };
     tool_memory *m = w->memory;
@@ -314,9 +394,10 @@ void tool_copy(tool_work *w, wfBodyId id)
     for (wfShapeId k = wfFirstShape(w->world, id); k.index && n < MOST && result == WF_OK;
          k = wfNextShape(w->world, k))
         result = wfGetShape(w->world, k, &shape[n++]);
-    wfReal aside = 20 * m->unit;
+    wfReal wide = 20 * m->unit;
     for (int i = 0; i < n; i++)
-        aside = wfMaxR(aside, 2 * wfShapeMaxExtent(&shape[i].shape));
+        wide = wfMaxR(wide, 2 * wfShapeMaxExtent(&shape[i].shape));
+    if (!(aside > 0)) aside = wide;
     def.type = b.type;
     def.position = wfAdd(b.position, wfV2(aside, 0));
     def.angle = b.angle;
@@ -341,8 +422,44 @@ void tool_copy(tool_work *w, wfBodyId id)
                      .generation = made.generation };
     mass.with.x = b.mass;
     if (result == WF_OK && b.type == WF_DYNAMIC && b.massGiven) tool_put(w, &mass, NULL);
-    if (result == WF_OK) tool_choose(m, made);
+    if (result != WF_OK) made = (wfBodyId){ 0, 0 };
     say(m, result, result ? "not copied" : "copied");
+    return made;
+}
+
+void tool_copy(tool_work *w, wfBodyId id)
+{
+    wfBodyId made = copy_body(w, id, 0);
+    if (made.index) tool_choose(w->memory, made);
+}
+
+/* All are moved alike, by as much as they are wide together, and half a body more. */
+WF_APART void tool_copy_all(tool_work *w)
+{
+    tool_memory *m = w->memory;
+    const wfBodyId *id = m->copied;
+    int32_t made = 0, n = 0;
+    wfReal least = WF_R(1e20), most = -least, wide = 0;
+    wfBodyView v = wfWorldBodies(w->world);
+    for (int32_t k = 0; k < m->copies; k++) {
+        int32_t i = wfBodyIndex(w->world, id[k]);
+        if (i < 0) continue;
+        n++;
+        least = wfMinR(least, v.state[i].p.x), most = wfMaxR(most, v.state[i].p.x);
+        for (int32_t s = v.props[i].shape; s >= 0; s = v.next[s])
+            wide = wfMaxR(wide, 2 * wfShapeMaxExtent(&v.shapes[s]));
+    }
+    tool_choose(m, (wfBodyId){ 0, 0 });
+    for (int32_t k = 0; k < m->copies; k++) {
+        wfBodyId body = id[k];
+        if (!wfBodyIsValid(w->world, body)) continue;
+        body = copy_body(w, body, n > 1 ? most - least + wide : 0);
+        if (!body.index) return;
+        m->chosen[made++] = body;
+        m->count = made;
+    }
+    if (made > 1) say(m, WF_OK, "bodies copied: %d", (int)made);
+    if (made == 0) say_no(m, "nothing to copy: choose a body");
 }
 
 static void add_point(tool_work *w)
@@ -613,7 +730,7 @@ static void choose_in_loop(tool_work *w)
 {
     tool_memory *m = w->memory;
     wfBodyView v = wfWorldBodies(w->world);
-    m->count = 0;
+    tool_choose(m, (wfBodyId){ 0, 0 });
     for (int32_t i = 0; i < v.count && m->count < TOOL_CHOSEN; i++)
         if (v.alive[i] && v.props[i].type != WF_STATIC &&
             is_in_loop(m->point, m->points, v.state[i].p))
@@ -644,25 +761,17 @@ static void end_lasso(tool_work *w)
 }
 
 /* remove bodies and joints */
-static bool remove_joint_at(tool_work *w, wfVec2 at)
+static bool remove_joint(tool_work *w, wfJointId id)
 {
-    wfBodyView v = wfWorldBodies(w->world);
-    for (int32_t i = 0; i < wfWorldJointPlaces(w->world); i++) {
-        wfJoint j;
-        wfJointId id = wfJointAt(w->world, i);
-        if (wfGetJoint(w->world, id, &j) != WF_OK) continue;
-        wfVec2 a = wfApply(wfBodyTransform(&v.state[j.a]), j.localA);
-        wfVec2 b = wfApply(wfBodyTransform(&v.state[j.b]), j.localB);
-        if (wfLength(wfSub(a, at)) > 6 * w->memory->unit &&
-            wfLength(wfSub(b, at)) > 6 * w->memory->unit) continue;
-        wfInput in = { .kind = WF_INPUT_REMOVE_JOINT, .index = id.index,
-                       .generation = id.generation };
-        wfResult result = tool_put(w, &in, NULL);
-        say(w->memory, result, result ? "not removed" : "removed: a joint, %s",
-            wfJointTable[j.kind].name);
-        return true;
-    }
-    return false;
+    wfJoint j;
+    wfInput in = { .kind = WF_INPUT_REMOVE_JOINT, .index = id.index,
+                   .generation = id.generation };
+    if (wfGetJoint(w->world, id, &j) != WF_OK) return false;
+    wfResult result = tool_put(w, &in, NULL);
+    w->memory->joint = (wfJointId){ 0, 0 };
+    say(w->memory, result, result ? "not removed" : "removed: a joint, %s",
+        wfJointTable[j.kind].name);
+    return true;
 }
 
 void tool_remove_chosen(tool_work *w)
@@ -670,6 +779,7 @@ void tool_remove_chosen(tool_work *w)
     tool_memory *m = w->memory;
     wfResult result = WF_OK;
     int gone = 0;
+    if (remove_joint(w, m->joint)) return;
     for (int32_t i = 0; i < m->count && result == WF_OK; i++, gone++) {
         wfInput in = { .kind = WF_INPUT_REMOVE_BODY, .index = m->chosen[i].index,
                        .generation = m->chosen[i].generation };
@@ -683,7 +793,7 @@ void tool_remove_chosen(tool_work *w)
 static void away(tool_work *w)
 {
     tool_memory *m = w->memory;
-    if (remove_joint_at(w, m->at)) return;
+    if (remove_joint(w, tool_pick_joint(w, m->at, (wfJointId){ 0, 0 }))) return;
     if (!m->body.index) {
         say_no(m, "there is no body");
         return;
@@ -880,7 +990,7 @@ static void nothing(tool_work *w) { (void)w; }
 
 const tool_row toolTable[] = {
     { "Hand", "drag bodies and throw them", 'g', 0,
-      choose_one, nothing, nothing, NULL },
+      press_hand, nothing, click_joint, NULL },
     { "Place", "press for the middle of a new body, pull it to its size", 'b',
       1 << TOOL_SHAPE | 1 << TOOL_STUFF | 1 << TOOL_TYPE, nothing, nothing, place,
       draw_placing },
@@ -963,5 +1073,6 @@ void tool_draw(const tool_work *w, wfDraw *d)
 {
     const tool_memory *m = w->memory;
     for (int32_t i = 0; i < m->count; i++) tool_outline(w->world, m->chosen[i], d);
+    if (m->joint.index) wfShowJoint(w->world, m->joint, true, d);
     if (toolTable[m->tool].draw) toolTable[m->tool].draw(w, d);
 }

@@ -13,7 +13,7 @@
 #define WF_APART
 #endif
 
-enum { TOOL_POINTS = 240, TOOL_CHOSEN = 64, TOOL_WORDS = 200 };
+enum { TOOL_POINTS = 240, TOOL_CHOSEN = 2048, TOOL_WORDS = 200 };
 enum { TOOL_SHAPE, TOOL_STUFF, TOOL_TYPE, TOOL_JOINT, TOOL_PROBE, TOOL_CHOICES };
 
 /* All zero at first: the hand. No pointers. */
@@ -25,6 +25,7 @@ typedef struct tool_memory {
     wfReal  unit;                   /* m: an interface unit, as it is zoomed now */
     wfReal  reach;                  /* m: how far beside a body a press still hits it */
     wfReal  top;                    /* m: the upper edge of what is seen */
+    float   view;                   /* m: the lesser side of the whole picture */
     int32_t heavy;                  /* bars are of steel, whatever is chosen */
     wfBodyId body;                  /* what lay under `from'; index 0: nothing */
     int32_t points;                 /* of what is drawn by hand, m */
@@ -33,6 +34,9 @@ typedef struct tool_memory {
     int32_t count;                  /* bodies that are chosen */
     wfBodyId chosen[TOOL_CHOSEN];
     wfVec2  offset[TOOL_CHOSEN];    /* m: from the mouse to them, while they are dragged */
+    wfJointId joint, near;          /* the one that is chosen; that a click would choose */
+    int32_t copies;                 /* bodies that Ctrl-C took down */
+    wfBodyId copied[TOOL_CHOSEN];
     int32_t dragging;
     int32_t probed;                 /* the probe has a way to go */
     int32_t refused;                /* what was said is a refusal */
@@ -89,10 +93,14 @@ void tool_lead(tool_memory *m, wfBodyId id);    /* the first of the chosen, or i
 bool tool_is_chosen(const tool_memory *m, wfBodyId id);
 /* The body that is meant by a place: index 0: none. */
 wfBodyId tool_pick(const wfWorld *world, wfVec2 at, wfReal reach);
-/* Removes all that are chosen. */
+/* What is drawn of a joint is meant by a place: of several the one after `last'. */
+wfJointId tool_pick_joint(const tool_work *w, wfVec2 at, wfJointId last);
+void tool_choose_joint(tool_work *w, wfJointId id);     /* alone; index 0: none */
+/* Removes all that are chosen, or the joint. */
 void tool_remove_chosen(tool_work *w);
-/* Makes another body like this one, beside it, and chooses it. */
+/* Makes another body like this one, beside it, and chooses it; of all that Ctrl-C took. */
 void tool_copy(tool_work *w, wfBodyId id);
+void tool_copy_all(tool_work *w);
 /* Puts a body so that its grip, in its frame, is at the mouse; NULL: it does not turn. */
 void tool_carry(tool_work *w, wfBodyId id, wfVec2 grip, const wfReal *angle);
 #endif

@@ -194,12 +194,12 @@ static const struct { const char *name, *strokes; } icons[] = {
     { "Dark", "Fjbfcchfmjnhkghhe" },
     { "Light", "Fhejfkhjjhkfjehff hbhc hmhn bhch mhnh" },
     { "Keys", "bdndnlblbd dfef gfhf jfkf eiki" },
-    { "Settings", "cdmd chmh clml Fecgcgeee Fjglgliji Fdkfkfmdm" },
+    { "Settings", "dbdn hbhn lbln Fbjfjflbl Ffdjdjfff Fjjnjnljl" },
     { "Hand", "Fdbdlgjinjmhili" }, { "Place", "cecmkmkece mamd kbnb" },
     { "Draw", "bkdfhclgkknm" }, { "Pin", "Fhbjckejghhfgeefc hhhn" },
-    { "Connect", "Fbjejembm Fkcncnfkf dkle" }, { "Lasso", "hcddbgdjikminfldhc ejdn" },
-    { "Delete", "ccmm mccm" }, { "Probe", "bmjf Fjcmcmfjf" },
-    { "Kick", "Fejdhbjdlgkgi fijf Fkcmdjgih" }, { "Bar", "cmmc Fbkelendnbl Fkbmbmekd" },
+    { "Connect", "bhddgdihgldlbh ghidldnhllilgh" }, { "Lasso", "hcddbgdjikminfldhc ejdn" },
+    { "Delete", "ccmm mccm" }, { "Probe", "cfdcgbjckfjigjdicf ijnn" },
+    { "Kick", "Fbfhfhbnhhnhjbj" }, { "Bar", "Fbkdmndlb" },
 };
 
 static const char *icon_of(const char *name)

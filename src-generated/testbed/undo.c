@@ -14,6 +14,8 @@ tool_work game_tools_of(game *g)
     float corner[2];
     camera_pick(&s->camera, s->camera.left, s->camera.top, corner);
     s->tools.top = (wfReal)corner[1];
+    s->tools.view = (float)s->tools.unit *
+                    (s->width < s->height ? s->width : s->height);
     return (tool_work){ &s->tools, &g->world, g->noted, &g->scratch, game_make_room, g,
                         game_begin_edit };
 }

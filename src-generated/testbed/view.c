@@ -246,17 +246,18 @@ static void see_pulley(wfDraw *d, const SeenJoint *s)
     wfDrawCircle(d, xy[4], xy[5], r, 1.5f, s->ink, WF_INK_PAPER);
 }
 
-/* Three quarters of a circle that turn with B, and a head where the motor wants to go. */
+/* Three quarters of a circle that turn with B, and a head where a motor wants to go. */
 static void see_motor(wfDraw *d, const SeenJoint *s)
 {
     enum { POINTS = 13 };
     wfVec2 p[POINTS], arm = wfRotate(s->b.q, wfV2(2 * (wfReal)small_thing(d), 0));
     wfReal way = s->j.motorSpeed < 0 ? -1 : 1;
+    bool motor = (s->j.flags & WF_JOINT_MOTOR) != 0;
     for (int i = 0; i < POINTS; i++)
         p[i] = wfAdd(s->to, wfRotate(wfRotation(way * WF_PI / 8 * (wfReal)i), arm));
-    for (int i = 1; i < POINTS - 1; i++)
-        wfDrawLine(d, WF_XY(p[i - 1]), WF_XY(p[i]), 1.5f, s->ink);
-    wfDrawArrow(d, WF_XY(p[POINTS - 2]), WF_XY(p[POINTS - 1]), 1.5f, s->ink);
+    for (int i = 1; i < POINTS - motor; i++)
+        wfDrawLine(d, WF_XY(p[i - 1]), WF_XY(p[i]), motor ? 1.5f : 1, s->ink);
+    if (motor) wfDrawArrow(d, WF_XY(p[POINTS - 2]), WF_XY(p[POINTS - 1]), 1.5f, s->ink);
 }
 
 static void see_hinge(wfDraw *d, const SeenJoint *s)
@@ -297,8 +298,10 @@ static void see_turning(wfDraw *d, const SeenJoint *s)
 {
     SeenJoint at = *s;
     at.to = s->b.p;
+    wfDrawPoint(d, WF_XY(s->a.p), 3, s->ink);
+    wfDrawPoint(d, WF_XY(s->b.p), 3, s->ink);
     if (s->full) wfDrawDashed(d, WF_XY(s->a.p), WF_XY(s->b.p), 1, s->ink);
-    if (s->j.flags & WF_JOINT_MOTOR) see_motor(d, &at);
+    see_motor(d, &at);
 }
 
 static void see_hand(wfDraw *d, const SeenJoint *s)
@@ -306,9 +309,12 @@ static void see_hand(wfDraw *d, const SeenJoint *s)
     wfDrawLine(d, WF_XY(s->j.groundB), WF_XY(s->to), 1.5f, s->ink);
 }
 
-/* What needs no picture among the bodies. */
-static void see_nothing(wfDraw *d, const SeenJoint *s)
+/* What needs no picture among the bodies: a small square, so that it can be chosen. */
+static void see_mark(wfDraw *d, const SeenJoint *s)
 {
+    float x = (float)s->to.x, y = (float)s->to.y, r = small_thing(d) / 2;
+    float xy[] = { x - r, y - r, x + r, y - r, x + r, y + r, x - r, y + r };
+    wfDrawPolygon(d, xy, 4, 1, s->ink, WF_INK_NONE);
     if (s->full) see_line(d, s);
 }
 
@@ -321,7 +327,7 @@ static const JointLook joint_look[] = {
     { "revolute", see_hinge }, { "distance", see_distance }, { "prismatic", see_slide },
     { "wheel", see_slide }, { "pulley", see_pulley }, { "gear", see_turning },
     { "ratchet", see_turning }, { "turn", see_turning }, { "hand", see_hand },
-    { "servo", see_nothing }, { "friction", see_nothing }, { "filter", see_nothing },
+    { "servo", see_mark }, { "friction", see_mark }, { "filter", see_mark },
 };
 
 typedef void (*JointDraw)(wfDraw *d, const SeenJoint *s);
@@ -340,7 +346,7 @@ static void draw_joint(wfDraw *d, const SeenJoint *s)
     JointDraw draw = look_of(s);
     if (!broken) draw(d, s);
     if (draw == see_turning || (draw == see_hand && broken)) return;
-    if (!s->full && !broken && draw == see_nothing) return;
+    if (!s->full && !broken && draw == see_mark) return;
     bool ring = draw == see_hinge && !s->full && !broken;
     bool strut = draw == see_slide && (s->j.flags & WF_JOINT_SPRING) && !s->full;
     int ink = broken ? WF_INK_BAD : ring ? WF_INK_FAINT : s->ink;
@@ -377,18 +383,29 @@ static void draw_ties(wfDraw *d, const SeenJoint *s, const wfBodyView *v)
         wfDrawDashed(d, WF_XY(s->a.p), WF_XY(s->b.p), 1, WF_INK_LINE);
 }
 
+static void show_joint(const wfWorld *world, wfJointId id, const Places *at, bool full,
+                       wfDraw *d)
+{
+    SeenJoint s = { .ink = full ? WF_INK_ACCENT : WF_INK_LINE, .full = full };
+    if (wfGetJoint(world, id, &s.j) != WF_OK) return;
+    s.a = place_of(at, s.j.a);
+    s.b = place_of(at, s.j.b);
+    s.from = wfApply(s.a, s.j.localA);
+    s.to = wfApply(s.b, s.j.localB);
+    draw_ties(d, &s, at->view);
+    draw_joint(d, &s);
+}
+
+void wfShowJoint(const wfWorld *world, wfJointId id, bool full, wfDraw *d)
+{
+    wfBodyView v = wfWorldBodies(world);
+    show_joint(world, id, &(Places){ &v, NULL, 0 }, full, d);
+}
+
 static void show_joints(const wfWorld *world, const Places *at, bool full, wfDraw *d)
 {
-    for (int32_t i = 0; i < wfWorldJointPlaces(world); i++) {
-        SeenJoint s = { .ink = full ? WF_INK_ACCENT : WF_INK_LINE, .full = full };
-        if (wfGetJoint(world, wfJointAt(world, i), &s.j) != WF_OK) continue;
-        s.a = place_of(at, s.j.a);
-        s.b = place_of(at, s.j.b);
-        s.from = wfApply(s.a, s.j.localA);
-        s.to = wfApply(s.b, s.j.localB);
-        draw_ties(d, &s, at->view);
-        draw_joint(d, &s);
-    }
+    for (int32_t i = 0; i < wfWorldJointPlaces(world); i++)
+        show_joint(world, wfJointAt(world, i), at, full, d);
 }
 
 static void draw_joints(const wfWorld *world, wfPool *scratch, wfDraw *d)

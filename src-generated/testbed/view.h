@@ -26,6 +26,8 @@ enum { WF_LEGEND_BODIES = 5 };
 const char *wfDrawLegendBody(int row, wfDraw *d, float x, float y, float size);
 uint32_t wfLegendOf(const wfWorld *world);
 const char *wfDrawLegend(int row, wfDraw *d, float x, float y, float size);
+/* One joint: as wfShowWorld draws it, or, full, as the overlay `joints' does. */
+void wfShowJoint(const wfWorld *world, wfJointId id, bool full, wfDraw *d);
 /* The outline of a rectangle. */
 void wfDrawRect(wfDraw *d, wfRect r, float widthPx, int role);
 /* One shape at a place, with a line that shows how it is turned. */

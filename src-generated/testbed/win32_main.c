@@ -61,12 +61,11 @@ static LRESULT CALLBACK on_message(HWND window, UINT what, WPARAM w, LPARAM l)
     case WM_KEYDOWN: take(app, GAME_EVENT_KEY, 0, 0, key_of(w)); return 0;
     case WM_KEYUP: if (key_of(w)) take(app, GAME_EVENT_KEY_UP, 0, 0, key_of(w)); return 0;
     case WM_KILLFOCUS: take(app, GAME_EVENT_KEY_UP, 0, 0, 0); return 0;
-    case WM_CHAR: /* Ctrl-Z comes as 26, Ctrl-Y as 25, Ctrl-A as 1 */
-        if (w == 1) take(app, GAME_EVENT_KEY, 0, 0, GAME_KEY_ALL);
-        if (w == 25 || w == 26)
-            take(app, GAME_EVENT_KEY, 0, 0, w == 25 || GetKeyState(VK_SHIFT) < 0 ?
-                 GAME_KEY_REDO : GAME_KEY_UNDO);
-        if (w >= 32 && w < 127) take(app, GAME_EVENT_KEY, 0, 0, (int32_t)w);
+    case WM_CHAR: /* Ctrl-A comes as 1, Ctrl-Z as 26 */
+        if (w < 27)
+            w = (WPARAM)game_key_with_control('`' + (int32_t)w, GetKeyState(VK_SHIFT) < 0);
+        if (w >= 32 && w != 127 && w <= GAME_KEY_DOUBLE)
+            take(app, GAME_EVENT_KEY, 0, 0, (int32_t)w);
         return 0;
     default: return DefWindowProcW(window, what, w, l);
     }

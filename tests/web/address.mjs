@@ -116,4 +116,36 @@ made.removeAllListeners('dialog');
 made.on('dialog', d => { asked += d.type() === 'beforeunload'; d.accept(); });
 await made.reload();
 check(asked === 1, `a page with a changed world asked ${asked} times before it went`);
+// and it is there again, says so, and is there after another one; a scene that nobody has changed begins as ever
+const ready = page => page.waitForFunction(() => { const c = document.getElementById('testbed'); return c.game && c.game.own && /^widget /m.test(c.game.describe()); }, null, { timeout: 20000 });
+const again = /here again, as it was before the reload; Reset begins anew/;
+for (let i = 0; i < 2; i++) {
+  await ready(made);
+  await made.until('bodies', bodies);
+  await made.until('hash', kept);
+  await made.until('paused', '1');
+  check(again.test(await made.tell('said')), `after reload ${i + 1}: ${await made.tell('said')}`);
+  await made.reload();
+}
+await ready(made);
+await made.until('hash', kept);
+check(await made.evaluate(() => localStorage.getItem('weft/world.save') !== null && !sessionStorage.getItem('weft/tab')), 'the kept world is not taken, or took the place of the saved one');
+await made.evaluate(() => document.getElementById('testbed').game.open('dominoes'));
+await made.until('scene', 'dominoes');
+await made.hash('#scene=dominoes');
+await made.reload();
+await ready(made);
+await made.waitForTimeout(600);
+check(await made.tell('scene') === 'dominoes' && !again.test(await made.tell('said')), `a scene as it is: ${await made.tell('said')}`);
+// where there is no storage, all goes on as without
+const without = await (await browser.newContext({ viewport: { width: 1100, height: 720 } })).newPage();
+without.on('pageerror', e => check(false, e.message));
+without.on('dialog', d => d.accept());
+await without.addInitScript(() => { for (const name of ['localStorage', 'sessionStorage']) Object.defineProperty(window, name, { get() { throw new DOMException('no', 'SecurityError'); } }); });
+await without.goto('file://' + join(html, 'testbed.html#stack-of-boxes'));
+await ready(without);
+await without.evaluate(async () => { const g = document.getElementById('testbed').game; await g.more(); g.key(110); g.key(127); g.frame(0, 0); });
+await without.reload();
+await ready(without);
+check(await without.evaluate(() => /^bodies 7$/m.test(document.getElementById('testbed').game.describe())), 'without storage the scene does not begin anew');
 await end();

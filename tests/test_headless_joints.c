@@ -1,0 +1,244 @@
+/* A joint is chosen by what is drawn of it, its numbers are changed in the panel, and each change is taken back; all bodies are chosen, copied
+   and let go by keys. */
+#include "play.h"
+#include "testbed/tools.h"
+#include "weft/joint.h"
+
+static uint64_t hash_of(const play *p)
+{
+    const char *line = play_line(p, "hash");
+    assert_non_null(line);
+    return strtoull(line + 5, NULL, 16);
+}
+static void drag(play *p, const char *tool, double x, double y, double to_x, double to_y)
+{
+    char script[300];
+    snprintf(script, sizeof script, "steps 0\nkey %s\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nup left\nframe\nframe\n", tool,
+             x, y, to_x, to_y);
+    play_run(p, script);
+}
+static void pull(play *p, const char *name, int by)
+{
+    char label[64], script[300];
+    snprintf(label, sizeof label, "widget %s pixel", name);
+    double x = play_fact(p, label, 0), y = play_fact(p, label, 1);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nmove %g %g\nframe\nup left\nframe\nframe\n",
+             x, y, x + by / 2, y, x + by, y);
+    play_run(p, script);
+}
+static void type_into(play *p, const char *widget, const char *keys)
+{
+    char label[80], script[300];
+    snprintf(label, sizeof label, "widget %s pixel", widget);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\nframe\n%s\nframe\nkey enter\nframe\nframe\n",
+             play_fact(p, label, 0), play_fact(p, label, 1), keys);
+    play_run(p, script);
+}
+static bool has(const play *p, const char *widget)
+{
+    char label[64];
+    snprintf(label, sizeof label, "widget %s pixel", widget);
+    return play_line(p, label) != NULL;
+}
+
+enum { AX = 500, AY = 180, BX = 640, BY = 200, NUMBERS = 11 };
+enum { REST, RATIO, LOWER, UPPER, HERTZ, DAMPING, SPRING_FORCE, SPEED, FORCE, BREAK, TWIST };
+
+static double number(const play *p, int i) { return play_fact(p, "numbers", i); }
+
+/* Two boxes above a tower at rest in the first step, joined by this row of the choice; the panel Body is open. */
+static play two_joined(const char *kind)
+{
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene tower\nsteps 1\nframe\nkey s\nsteps 0\nframe\nframe\n");
+    play_click(&p, "Files");                                    /* the page Body has a number `friction' */
+    drag(&p, "b", AX, AY, AX + 20, AY + 15);
+    drag(&p, "b", BX, BY, BX + 20, BY + 15);
+    play_run(&p, "steps 0\nkey j\nframe\nframe\n");
+    play_choose(&p, "joint kind", kind);
+    drag(&p, "j", AX, AY, BX, BY);
+    if (!strstr(p.text, "said joined")) fail_msg("%s", p.text);
+    play_click(&p, "Body");
+    return p;
+}
+/* Clicks by the hand at what must be drawn of it: on the way, at an end, at an arc. */
+static void choose_it(play *p, const char *kind)
+{
+    static const int at[][2] = { { (AX + BX) / 2, (AY + BY) / 2 }, { AX, AY }, { BX, BY } };
+    char label[60];
+    snprintf(label, sizeof label, "joint 0 %s", kind);
+    for (int i = 0; i < 3; i++) {
+        drag(p, "g", at[i][0], at[i][1], at[i][0], at[i][1]);
+        const char *line = strstr(p->text, "\njoint ");
+        if (line && strstr(line, kind)) return;
+    }
+    fail_msg("nothing of a joint is drawn that can be clicked: %s\n%s", kind, p->text);
+}
+/* The line of the chosen joint from its numbers on. */
+static void use_numbers(play *p)
+{
+    char *at = strstr(p->text, "\njoint ");
+    assert_non_null(at);
+    at = strstr(at, " numbers ");
+    assert_non_null(at);
+    *at = '\n';
+}
+
+/* All that is told of it, and the hash. */
+static const char *told(const play *p, char out[400])
+{
+    static char own[400];
+    const char *at = strstr(p->text, "\njoint ");
+    if (!out) out = own;
+    if (!at) fail_msg("no joint is chosen\n%s", p->text);
+    snprintf(out, 400, "%.*s %llx", (int)strcspn(at + 1, "\n"), at + 1, (unsigned long long)hash_of(p));
+    return out;
+}
+
+static const struct { const char *name; int number; } lines[] = {
+    { "rest", REST }, { "length", REST }, { "ratio", RATIO }, { "lower stop", LOWER }, { "shortest", LOWER }, { "upper stop", UPPER },
+    { "longest", UPPER }, { "hertz", HERTZ }, { "damping", DAMPING }, { "spring force", SPRING_FORCE }, { "motor speed", SPEED },
+    { "motor force", FORCE }, { "break force", BREAK }, { "break torque", TWIST } };
+enum { LINES = sizeof lines / sizeof *lines };
+
+/* Each line that is shown is pulled, and typed into; the change is one, and is taken back to the last bit. */
+static int try_lines(play *p, const char *kind)
+{
+    int tried = 0;
+    for (int i = 0; i < LINES; i++) {
+        if (!has(p, lines[i].name)) continue;
+        for (int typed = 0; typed < 2; typed++) {
+            char before[400], after[400];
+            told(p, before);
+            use_numbers(p);
+            double was = number(p, lines[i].number);
+            if (typed) type_into(p, lines[i].name, "key 3\nkey .\nkey 5");
+            else pull(p, lines[i].name, 30);
+            told(p, after);
+            use_numbers(p);
+            double now = number(p, lines[i].number);
+            if (now == was || (typed && fabs(now - 3.5) > 2e-5))
+                fail_msg("%s, %s: %g became %g (typed %d)\n%s", kind, lines[i].name, was, now, typed, p->text);
+            play_run(p, "steps 0\nkey undo\nframe\nframe\n");
+            if (strcmp(told(p, NULL), before) != 0) fail_msg("%s, %s: not taken back", kind, lines[i].name);
+            play_run(p, "steps 0\nkey redo\nframe\nframe\n");
+            if (strcmp(told(p, NULL), after) != 0) fail_msg("%s, %s: not made again", kind, lines[i].name);
+            play_run(p, "steps 0\nkey undo\nframe\nframe\n");
+        }
+        tried++;
+    }
+    return tried;
+}
+
+TEST(each_number_of_each_kind_is_changed_and_taken_back)
+{
+    static const struct { const char *kind; int plain, all; } want[] = {       /* lines with no part switched on; with all */
+        { "revolute", 2, 10 }, { "weld", 3, 6 }, { "turn", 2, 10 }, { "distance", 3, 10 }, { "prismatic", 2, 10 }, { "wheel", 8, 10 },
+        { "hand", 5, 5 }, { "servo", 6, 6 }, { "friction", 4, 4 }, { "filter", 0, 0 }, { "pulley", 4, 4 }, { "gear", 4, 4 },
+        { "ratchet", 3, 3 }, { "rack", 4, 4 }, { "linkage", 4, 4 } };
+    assert_int_equal(sizeof want / sizeof *want, wfJointKinds);
+    for (int i = 0; i < wfJointKinds; i++) {
+        play p = two_joined(want[i].kind);
+        choose_it(&p, want[i].kind);
+        int plain = try_lines(&p, want[i].kind), all = plain;
+        if (want[i].all > want[i].plain) {
+            static const char *const parts[] = { "spring", "motor", "limits" };
+            int flags = (int)play_fact(&p, "joint", 1);
+            for (int k = 0; k < 3; k++)
+                if (has(&p, parts[k]) && !(flags >> k & 1)) play_click(&p, parts[k]);
+            all = try_lines(&p, want[i].kind);
+        }
+        if (plain != want[i].plain || all != want[i].all)
+            fail_msg("%s shows %d lines, and %d: %d and %d are wanted\n%s", want[i].kind, plain, all, want[i].plain, want[i].all, p.text);
+        uint64_t before = hash_of(&p);
+        if (i % 2) play_click(&p, "Remove the joint");
+        else play_run(&p, "steps 0\nkey delete\nframe\nframe\n");
+        if (!strstr(p.text, "said removed: a joint")) fail_msg("%s", p.text);
+        assert_null(strstr(p.text, "\njoint "));
+        play_run(&p, "steps 0\nkey undo\nframe\nframe\n");
+        assert_true(hash_of(&p) == before);
+        for (int k = 0; k < 60; k++) play_run(&p, "steps 1\nframe\n");
+        play_end(&p);
+    }
+}
+
+TEST(a_rope_gets_longer_and_a_spring_gets_stiffer)
+{
+    play p = two_joined("rope");
+    choose_it(&p, "distance");
+    assert_true(has(&p, "longest") && !has(&p, "length"));
+    type_into(&p, "longest", "key 2\nkey .\nkey 5");
+    use_numbers(&p);
+    assert_near(number(&p, UPPER), 2.5, 1e-6);
+    type_into(&p, "shortest", "key 3");                         /* one stop takes the other along */
+    use_numbers(&p);
+    assert_near(number(&p, UPPER), 3, 1e-6);
+    play_end(&p);
+    p = two_joined("spring");
+    choose_it(&p, "distance");
+    use_numbers(&p);
+    double damping = number(&p, DAMPING);
+    type_into(&p, "hertz", "key 4");
+    use_numbers(&p);
+    assert_near(number(&p, HERTZ), 4, 1e-5);
+    assert_near(number(&p, DAMPING), damping, 1e-5);            /* stays what it was */
+    play_end(&p);
+}
+
+TEST(joints_are_found_from_their_bodies_and_by_clicks)
+{
+    play p = two_joined("revolute");
+    drag(&p, "i", AX, AY, AX, AY);                              /* a second hinge, in the same place */
+    drag(&p, "g", AX, AY, AX, AY);
+    assert_non_null(strstr(p.text, "\njoint "));
+    int one = (int)play_fact(&p, "joint", 0);
+    drag(&p, "g", AX, AY, AX, AY);
+    int two = (int)play_fact(&p, "joint", 0);
+    assert_true(one != two);                                    /* another click chooses the next */
+    drag(&p, "g", AX, AY, AX, AY);
+    assert_int_equal((int)play_fact(&p, "joint", 0), one);
+    play_run(&p, "steps 0\nkey escape\nframe\nframe\n");
+    assert_null(strstr(p.text, "\njoint "));
+    play_click(&p, "World");
+    char script[200];                                           /* the menu of the body opens the panel with its joints */
+    snprintf(script, sizeof script, "steps 0\nmove %d %d\nframe\nclick right\nframe\nframe\n", AX - 15, AY - 10);
+    play_run(&p, script);
+    play_click(&p, "Numbers and joints");
+    assert_int_equal((int)play_fact(&p, "panel", 0), 1);
+    assert_true(has(&p, "mass") && has(&p, "joint 0: revolute") && has(&p, "joint 1: revolute"));
+    play_click(&p, "joint 1: revolute");
+    assert_int_equal((int)play_fact(&p, "joint", 0), 1);
+    drag(&p, "g", BX, BY, BX + 40, BY);                         /* a drag means the body */
+    assert_null(strstr(p.text, "\njoint "));
+    assert_int_equal((int)play_fact(&p, "chosen", 0), 1);
+    play_end(&p);
+}
+
+TEST(all_are_chosen_copied_and_let_go_by_keys)
+{
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene tower\nsteps 1\nframe\nkey p\nsteps 0\nframe\n");
+    int bodies = (int)play_fact(&p, "bodies", 0);
+    uint64_t before = hash_of(&p);
+    play_run(&p, "key all\nframe\nframe\n");
+    int chosen = (int)play_fact(&p, "chosen", 0);
+    assert_true(chosen > 5 && chosen < bodies);                 /* all but the ground */
+    play_run(&p, "key escape\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "chosen", 0), 0);
+    play_run(&p, "key all\nkey copy\nframe\nkey escape\nframe\nkey paste\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + chosen);
+    assert_int_equal((int)play_fact(&p, "chosen", 0), chosen);  /* the new ones are */
+    play_run(&p, "key undo\nframe\nframe\n");                   /* one change */
+    assert_true(hash_of(&p) == before);
+    play_run(&p, "key n\nframe\nkey double\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 1);
+    play_run(&p, "key backspace\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
+    play_run(&p, "key escape\nframe\nkey copy\nframe\nframe\n");
+    assert_non_null(strstr(p.text, "said nothing to copy"));
+    play_run(&p, "key /\nframe\nkey t\nkey all\nframe\nframe\n");    /* in a line of letters it means the letters */
+    assert_int_equal((int)play_fact(&p, "chosen", 0), 0);
+    play_run(&p, "key escape\nkey all\nkey delete\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies - chosen);
+    play_end(&p);
+}
