@@ -188,10 +188,13 @@ WF_APART void tool_choose_joint(tool_work *w, wfJointId id)
 
 static void press_hand(tool_work *w)
 {
-    wfJointId last = w->memory->joint;
+    tool_memory *m = w->memory;
+    wfJointId last = m->joint, near = { 0, 0 };
+    bool first = m->body.index && !tool_is_chosen(m, m->body) && !last.index;
     choose_one(w);
-    if (wfWorldJointPlaces(w->world) > 0)
-        w->memory->near = tool_pick_joint(w, w->memory->at, last);
+    if (!first && wfWorldJointPlaces(w->world) > 0)
+        near = tool_pick_joint(w, m->at, last);
+    m->near = near.index == last.index ? (wfJointId){ 0, 0 } : near;
 }
 
 static void click_joint(tool_work *w)
