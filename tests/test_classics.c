@@ -182,11 +182,9 @@ TEST(on_the_ramp_two_hold_and_two_slide)
     wfWorld before = opened("ramp", 0), after = opened("ramp", 60);
     for (int i = 0; i < 4; i++) {
         double way = (double)wfDistance(wfWorldBodies(&before).state[i + 2].p, wfWorldBodies(&after).state[i + 2].p);
-        /* in 1 s: 1 m by its push and g/2 (sin - mu cos) for the third, the same without the push for the fourth; a hundredth of
-         * that for the half substep in which it is not yet known to slide, and for sinking. The fourth is held back by mu_s until it
-         * is faster than mu_s g cos times a substep (eq:sequential-patience): mu_s cos / (sin - mu_s cos) substeps, four, long; for
-         * the rest of the second it is slower by what mu_s took more than mu. */
-        const double late = 0.4 * 0.8944272 / (0.4472136 - 0.4 * 0.8944272) / 240, slower = 9.81 * 0.1 * 0.8944272 * late;
+        /* in 1 s: 1 m by its push and g/2 (sin - mu cos) for the third, the same without the push for the fourth, which is held back by
+         * mu_s for the first substep; a hundredth of that for the half substep in which it is not yet known to slide, and for sinking. */
+        const double late = 1.0 / 240, slower = 9.81 * 0.1 * 0.8944272 * late;
         const double want[4] = { 0, 0, 1 + 9.81 / 2 * (0.4472136 - 0.4 * 0.8944272),
                                  9.81 / 2 * (0.4472136 - 0.3 * 0.8944272) - slower * (1 - late / 2) };
         assert_near(way, want[i], 1e-3 + 0.01 * want[i]);

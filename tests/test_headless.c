@@ -781,8 +781,8 @@ TEST(overlays_keys_and_views_answer)
     assert_int_equal((int)play_fact(&p, "keys", 0), 0);
     play_run(&p, "key ?\nframe\n");
     double x = play_fact(&p, "view", 0), y = play_fact(&p, "view", 1), height = play_fact(&p, "view", 2);
-    play_run(&p, "move 600 400\nframe\ndown right\nframe\nmove 700 450\nframe\nup right\nframe\nwheel 2\nframe\n");
-    assert_true(play_fact(&p, "view", 0) < x && play_fact(&p, "view", 1) > y);   /* the world was pulled right and down */
+    play_run(&p, "move 900 400\nframe\ndown right\nframe\nmove 1000 450\nframe\nup right\nframe\nwheel 2\nframe\n");
+    assert_true(play_fact(&p, "view", 0) < x && play_fact(&p, "view", 1) > y);   /* beside the sheet: the world was pulled right and down */
     assert_near(play_fact(&p, "view", 2), height / (1.15 * 1.15), 1e-3);
     play_click(&p, "Home");
     assert_near(play_fact(&p, "view", 0), x, 1e-4);

@@ -74,7 +74,7 @@ TEST(a_long_sentence_has_more_lines)
         if (s->alias) continue;
         open_on_a_telephone(&p, s->name);
         float wide = wfTextWidth(&wfBakedFont, 13, s->text), more = 0;          /* more: rows of the scene's own buttons */
-        if (s->change) more = ((float)(widget_y(&p, s->points > 1 ? "Turn it" : s->change) - widget_y(&p, "Settings")));
+        if (s->change || s->points > 1) more = ((float)(widget_y(&p, s->points > 1 ? "Turn it" : s->change) - widget_y(&p, "Settings")));
         int lines = fewest + (int)((state_of(&p)->head - least - more / state_of(&p)->scale) / 17 + 0.5f);
         if (wide > room * (float)lines || wide < 0.7f * room * (float)(lines - 1))
             fail_msg("%s: %.0f units of words in %d lines of %.0f", s->name, (double)wide, lines, (double)room);
