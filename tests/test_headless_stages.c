@@ -12,7 +12,11 @@ enum { MOST_STAGES = 64, GARBAGE = 0xEE, LARGE = 4000000 };
 static const char *const PAGE_NAME[] = { "the solver moves the bodies", "the stages move the bodies" };
 
 /* ---- the declarations ---- */
-static int page_of(const struct wfStep *s) { return wfSolverIntegrates(s) ? 0 : 1; }
+static int page_of(const struct wfStep *s)
+{
+    const wfHeader *head = s->b.head;
+    return wfHas(head, WF_MODULE_SUBSTEPS) && wfSolverTable[head->solver].step != NULL ? 0 : 1;
+}
 
 static bool is_in(wfArrays set, int array)
 {

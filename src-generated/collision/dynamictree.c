@@ -342,21 +342,18 @@ static void update_leaf(wfTree *tree, const wfProxies *in, int32_t i)
     wfTreeNode *leaf = &tree->nodes[i];
     bool holds = leaf->parent != WF_TREE_OUT;
     int flags = i < in->count ? in->flags[i] : 0, moves = (flags & WF_PROXY_MOVES) != 0;
-    if (!(flags & WF_PROXY_LIVE) || (holds && leaf->movers != moves)) {
-        if (holds) wfTreeRemove(tree, i);
-        holds = false;
-    }
+    bool stays = holds && (flags & WF_PROXY_LIVE) && leaf->movers == moves;
+    if (stays && wfRectContains(leaf->box, in->bounds[i])) return;
+    if (holds && !stays) wfTreeRemove(tree, i);
     if (!(flags & WF_PROXY_LIVE)) return;
     wfRect r = in->bounds[i];
     wfTreePlace *place = &tree->places[i], now = { r.min, tree->head->step };
-    if (!holds) {
-        wfTreeInsert(tree, i, wfFatBox(r, wfV2(0, 0), WF_TREE_RATIO), moves);
-    } else if (!wfRectContains(leaf->box, r)) {
+    if (stays) {
         wfReal steps = (wfReal)(now.step - place->step);
         wfVec2 way = wfScale(1 / steps, wfSub(r.min, place->at));
         move_leaf(tree, i, wfFatBox(r, way, WF_TREE_RATIO));
     } else {
-        return;
+        wfTreeInsert(tree, i, wfFatBox(r, wfV2(0, 0), WF_TREE_RATIO), moves);
     }
     *place = now;
 }

@@ -59,33 +59,30 @@ static void circle_circle(const wfShape *a, wfTransform xa, const wfShape *b,
 }
 
 /* the first of n gaps of cores in coats that is as good as the greatest */
-static int32_t choose_axis(const wfReal *gaps, int32_t n, wfReal coats, wfReal tie)
+static int32_t choose_axis(const wfReal *gaps, int32_t n, wfReal coats, const wfShape *a,
+                           const wfShape *b)
 {
     wfReal best = gaps[0];
     for (int32_t i = 1; i < n; i++) best = wfMaxR(best, gaps[i]);
-    wfReal enough = best - coats <= 0 ? best - tie : best;
+    if (best - coats <= 0)
+        best -= WF_AXIS_TIE * wfMinR(wfShapeMaxExtent(a), wfShapeMaxExtent(b));
     int32_t k = 0;
-    while (k < n - 1 && gaps[k] < enough) k++;
+    while (k < n - 1 && gaps[k] < best) k++;
     return k;
 }
 
-static wfReal tie_of(const wfShape *a, const wfShape *b)
-{
-    return WF_AXIS_TIE * wfMinR(wfShapeMaxExtent(a), wfShapeMaxExtent(b));
-}
-
-/* the polygon's frame; normal from the polygon to the circle at c */
-static void polygon_point(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
+/* the polygon's frame; normal from the polygon to the circle, whose centre is at c */
+static void polygon_point(const wfShape *p, const wfShape *circle, wfVec2 c,
                           wfSeparation *out)
 {
     wfReal gaps[WF_MAX_VERTICES];
     for (int32_t i = 0; i < p->count; i++)
         gaps[i] = wfDot(p->normals[i], wfSub(c, p->vertices[i]));
-    int32_t k = choose_axis(gaps, p->count, 0, tie);
+    int32_t k = choose_axis(gaps, p->count, 0, p, circle);
     out->edge = k;
     out->owner = 0;
     out->normal = p->normals[k];
-    out->distance = gaps[k] - radius;
+    out->distance = gaps[k] - circle->radius;
     if (gaps[k] <= 0) return;
     wfVec2 v = p->vertices[k], next = p->vertices[k + 1 < p->count ? k + 1 : 0];
     if (wfDot(wfSub(c, v), wfSub(next, v)) > 0) {           /* eq:narrow-regions */
@@ -96,7 +93,7 @@ static void polygon_point(const wfShape *p, wfVec2 c, wfReal radius, wfReal tie,
     wfReal length = wfLength(d), noise = 4 * WF_EPSILON * (wfLength(c) + wfLength(v));
     if (length <= noise) return;
     out->normal = wfScale(1 / length, d);
-    out->distance = length - radius;
+    out->distance = length - circle->radius;
 }
 
 /* separate a polygon and a circle */
@@ -104,7 +101,7 @@ static void polygon_circle(const wfShape *a, wfTransform xa, const wfShape *b,
                            wfTransform xb, wfSeparation *out)
 {
     wfVec2 c = wfApply(wfRelativePose(xa, xb), b->centre);
-    polygon_point(a, c, b->radius, tie_of(a, b), out);
+    polygon_point(a, b, c, out);
     out->normal = wfRotate(xa.q, out->normal);
 }
 
@@ -234,7 +231,7 @@ static void core_core(const wfShape *a, wfTransform xa, const wfShape *b, wfTran
     wfReal *end = list_edges(&cores[1], &cores[0], list_edges(&cores[0], &cores[1], gaps));
     /* list the ends of segments */
     end = list_ends(&cores[1], &cores[0], list_ends(&cores[0], &cores[1], end));
-    int32_t n = (int32_t)(end - gaps), k = choose_axis(gaps, n, coats, tie_of(a, b));
+    int32_t n = (int32_t)(end - gaps), k = choose_axis(gaps, n, coats, a, b);
     Face f = face_at(cores, k);
     out->distance = gaps[k] - coats;
     out->normal = f.axis;

@@ -127,36 +127,31 @@ static void prepare_bundle(const wfSubsteps *s, wfContactSimd *q)
 
 typedef struct Packing { int32_t bundles, points, ones; } Packing;
 
-static void pack_kind(wfSubsteps *s, int32_t colour, int32_t kind, Packing *to)
+static void pack_colour(wfSubsteps *s, int32_t colour, Packing *to)
 {
-    wfContactSimd *q = NULL;
+    wfContactSimd *open[KINDS] = { NULL };
     int32_t end = s->colours.first[colour + 1];
     for (int32_t i = s->colours.first[colour]; i < end; i++) {
-        if (kind_of(s, colour, i) != kind) continue;
-        /* begin a new bundle when one is full */
+        int32_t kind = kind_of(s, colour, i), contact = s->order[i];
+        wfContactSimd *q = open[kind];
+        if (kind == 0) {
+            s->order[to->ones] = contact;
+            /* how contact i is solved moves with it */
+            uint8_t *held = s->columns->held;
+            held[to->ones] = held[i] == WF_HELD_ALONE ? WF_HELD_ALONE : WF_HELD_NOT;
+            s->at[contact] = to->ones++;
+            continue;
+        }
         if (q == NULL || q->used == WF_LANES) {
-            q = &s->bundle[to->bundles++];
+            q = open[kind] = &s->bundle[to->bundles++];
             q->used = 0;
             q->alone = kind == KIND_ALONE;
             q->points = points_of(kind);
             q->first = to->points;
             to->points += q->points;
         }
-        s->at[s->order[i]] = -1 - ((to->bundles - 1) * WF_LANES + q->used);
-        q->of[q->used++] = s->order[i];
-    }
-}
-
-static void keep_ones(wfSubsteps *s, int32_t colour, Packing *to)
-{
-    for (int32_t i = s->colours.first[colour]; i < s->colours.first[colour + 1]; i++) {
-        if (kind_of(s, colour, i) != 0) continue;
-        int32_t contact = s->order[i];
-        s->order[to->ones] = contact;
-        /* how contact i is solved moves with it */
-        uint8_t *held = s->columns->held;
-        held[to->ones] = held[i] == WF_HELD_ALONE ? WF_HELD_ALONE : WF_HELD_NOT;
-        s->at[contact] = to->ones++;
+        s->at[contact] = -1 - ((int32_t)(q - s->bundle) * WF_LANES + q->used);
+        q->of[q->used++] = contact;
     }
 }
 
@@ -177,15 +172,14 @@ static void prepare_bundles(void *context, int32_t part, int32_t begin, int32_t 
     }
 }
 
-static void fill_runs(wfSubsteps *s, int32_t kinds)
+static void fill_runs(wfSubsteps *s)
 {
     Packing to = { 0, 0, 0 };
     s->runs = 0;
     for (int32_t k = 0; k <= WF_COLOURS; k++) {
         wfRun *run = &s->run[s->runs];
         *run = (wfRun){ .bundle = to.bundles, .one = to.ones };
-        for (int32_t kind = 1; kind < kinds; kind++) pack_kind(s, k, kind, &to);
-        keep_ones(s, k, &to);
+        pack_colour(s, k, &to);
         run->bundleEnd = to.bundles;
         run->oneEnd = to.ones;
         if (run->bundleEnd > run->bundle || run->oneEnd > run->one) s->runs++;
@@ -196,16 +190,14 @@ static void fill_runs(wfSubsteps *s, int32_t kinds)
 
 wfResult wfPackLanes(wfSubsteps *s)
 {
-    int32_t kinds = KIND_ALONE;
     /* mark the contacts of trees */
     wfStacks *t = s->columns;
-    if (t->alone) kinds = KINDS;
     for (int32_t i = 0; i < t->count; i++) {
         t->held[t->limb[i].contact] = WF_HELD_IN_TREE;
         t->limb[i].contact = s->order[t->limb[i].contact];
     }
     wfResult result = take_bundles(s);
-    if (result == WF_OK) fill_runs(s, kinds);
+    if (result == WF_OK) fill_runs(s);
     /* tell the trees where their contacts are */
     for (int32_t i = 0; result == WF_OK && i < t->count; i++)
         t->limb[i].contact = s->at[t->limb[i].contact];

@@ -57,6 +57,10 @@ WF_INLINE wfLanes wfLanesPick(wfLaneMask m, wfLanes a, wfLanes b) { return m ? a
 WF_INLINE bool wfAnyLane(wfLaneMask m) { return m != 0; }
 #endif
 
+#if defined WF_HAS_LANES && defined __SSE__ && !defined WF_DOUBLE
+WF_INLINE wfLanes wfLanesMax(wfLanes a, wfLanes b) { return __builtin_ia32_maxps(a, b); }
+WF_INLINE wfLanes wfLanesMin(wfLanes a, wfLanes b) { return __builtin_ia32_minps(a, b); }
+#else
 WF_INLINE wfLanes wfLanesMax(wfLanes a, wfLanes b)
 {
     return wfLanesPick(wfLanesMore(a, b), a, b);
@@ -66,6 +70,7 @@ WF_INLINE wfLanes wfLanesMin(wfLanes a, wfLanes b)
 {
     return wfLanesPick(wfLanesMore(b, a), a, b);
 }
+#endif
 
 WF_INLINE wfReal *wfLane(wfLanes *v, int32_t lane) { return (wfReal *)v + lane; }
 WF_INLINE wfReal wfLaneOf(const wfLanes *v, int32_t i) { return ((const wfReal *)v)[i]; }

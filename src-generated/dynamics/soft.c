@@ -211,6 +211,7 @@ static void part_deep(wfSubsteps *s, const Softness *soft, wfMoved *aside)
         if (part_run(&part, s, &s->run[k])) some = true;
     if (!some) return;
     for (int32_t i = 0; i < s->in->bodyCount; i++) {
+        if (aside[i].d.x == 0 && aside[i].d.y == 0 && aside[i].turn == 0) continue;
         wfReal way = wfLength(aside[i].d), keep = way > most ? most / way : 1;
         s->moved[i].d = wfAddScaled(s->moved[i].d, keep, aside[i].d);
         s->moved[i].turn += keep * aside[i].turn;

@@ -3,11 +3,6 @@
 #include "engine/step.h"
 
 /* bound the shapes */
-bool wfCanMove(const wfBodyState *s)
-{
-    return s->invMass > 0 || s->invInertia > 0 || s->v.x != 0 || s->v.y != 0 || s->w != 0;
-}
-
 uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k)
 {
     int32_t i = b->bodyOfShape[k];

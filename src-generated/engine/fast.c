@@ -14,7 +14,7 @@ static wfSweep sweep_of(const struct wfStep *s, int32_t i)
 {
     const wfBodyState *old = &s->b.state[i], *now = &s->state[i];
     wfReal turn = now->angle - old->angle, most = 2 * WF_PI * WF_SWEPT_TURNS;
-    if (!wfSolverIntegrates(s)) {                                   /* eq:fast-turn */
+    if (!s->integrates) {                                   /* eq:fast-turn */
         wfReal likely = s->b.head->timeStep * (old->w + now->w) / 2;
         turn = likely + wfWrapAngle(turn - likely);
     }
@@ -47,7 +47,7 @@ static void note_gain(const struct wfStep *s, wfSweptBody *f)
     const wfBodyState *old = &s->b.state[f->body], *now = &s->state[f->body];
     if (!can_change(s, f->body)) return;
     f->gain = wfSub(now->v, old->v), f->spin = now->w - old->w;
-    if (!wfSolverIntegrates(s)) return;
+    if (!s->integrates) return;
     wfBodyForces sum = s->sums[f->body];
     wfVec2 by = wfScale(s->b.head->timeStep * now->invMass, sum.force);
     f->gain = wfV2(smaller(f->gain.x, by.x), smaller(f->gain.y, by.y));
@@ -110,7 +110,7 @@ static bool is_slow(const struct wfStep *s, int32_t k, wfReal *slack)
     int32_t i = s->b.bodyOfShape[k];
     if (i < 0 || !s->present[i] || wfIsSensor(&s->b, k)) return true;
     wfReal rough = rough_way(s, k);
-    bool straight = wfSolverIntegrates(s) || s->state[i].w == 0;
+    bool straight = s->integrates || s->state[i].w == 0;
     if (!straight || !(rough <= s->b.materials[k].inner)) return false;
     *slack = wfMaxR(*slack, rough);
     return true;
@@ -474,7 +474,7 @@ static WF_ONE_COPY wfReal least_way(const struct wfStep *s, int32_t k)
 static WF_ONE_COPY bool is_solved(const struct wfStep *s, int32_t k, int32_t other)
 {
     int32_t i = s->b.bodyOfShape[k], j = s->b.bodyOfShape[other];
-    if (!wfSolverIntegrates(s) || !can_change(s, i) || !can_change(s, j)) return false;
+    if (!s->integrates || !can_change(s, i) || !can_change(s, j)) return false;
     wfPair p = wfMakePair(k, other);
     wfReal t = wfMaxR(start_of(s, i), start_of(s, j));
     wfSweep a = leg_from(s, i, t), b = leg_from(s, j, t);
@@ -968,7 +968,7 @@ static wfResult fly(struct wfStep *s)
     find_flights(s);
     if (s->flightCount == 0) return WF_OK;
     wfResult result = follow(s);
-    if (result != WF_OK || s->again || !land(s) || wfSolverIntegrates(s)) return result;
+    if (result != WF_OK || s->again || !land(s) || s->integrates) return result;
     for (int32_t n = 0; n < s->flightCount; n++)
         wfWrapBodyAngle(&s->state[s->flights[n].body]);
     result = wfFindPairsAgain(s);
@@ -977,10 +977,8 @@ static wfResult fly(struct wfStep *s)
     return result;
 }
 
-wfResult wfContinuousBefore(struct wfStep *s) { return wfSolverIntegrates(s) ?
-                                                WF_OK : fly(s); }
-wfResult wfContinuousAfter(struct wfStep *s) { return wfSolverIntegrates(s) ?
-                                               fly(s) : WF_OK; }
+wfResult wfContinuousBefore(struct wfStep *s) { return s->integrates ? WF_OK : fly(s); }
+wfResult wfContinuousAfter(struct wfStep *s) { return s->integrates ? fly(s) : WF_OK; }
 
 wfResult wfGetContinuousReport(const wfWorld *world, wfContinuousReport *out)
 {

@@ -410,7 +410,7 @@ wfResult wfTakeJoints(struct wfStep *s)
     s->jointSet = (wfJointSet){ .joints = copy, .count = count,
                                 .period = WF_JOINT_PERIOD, .damping = WF_JOINT_DAMPING };
     if (count == 0) return WF_OK;
-    if (!wfSolverIntegrates(s)) return WF_ERROR_SOLVER;
+    if (!s->integrates) return WF_ERROR_SOLVER;
     wfPool pool;
     size_t bytes = wfJointScratch(s->b.head->bodyCapacity, s->b.head->jointCapacity);
     wfResult result = wfPoolInit(&pool, bytes, wfTransient(&s->b, WF_REGION_JOINT_WORK));

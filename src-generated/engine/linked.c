@@ -36,7 +36,7 @@ static void find_jointed(struct wfStep *s)
 
 void wfFindLinked(struct wfStep *s)
 {
-    if (s->b.head->maxImpacts == 0 || !wfSolverIntegrates(s)) return;
+    if (s->b.head->maxImpacts == 0 || !s->integrates) return;
     s->linked = wfTransient(&s->b, WF_REGION_LINKED);
     memset(s->linked, 0, (size_t)s->count);
     find_pressed(s);

@@ -3,12 +3,6 @@
 #include "engine/step.h"
 
 /* how far shapes may come in a step */
-bool wfSolverIntegrates(const struct wfStep *s)
-{
-    const wfHeader *head = s->b.head;
-    return wfHas(head, WF_MODULE_SUBSTEPS) && wfSolverTable[head->solver].step != NULL;
-}
-
 static wfVec2 velocity_to_be(const struct wfStep *s, int32_t i)
 {
     wfReal gain = s->b.head->timeStep * s->state[i].invMass;

@@ -53,7 +53,7 @@ static void bound_part(void *context, int32_t part, int32_t begin, int32_t end)
             continue;
         }
         wfRect box = wfBoundOne(&s->b, k, i >= 0 ? s->places[i] : wfTransformIdentity());
-        bool ahead = i >= 0 && wfSolverIntegrates(s);
+        bool ahead = i >= 0 && s->integrates;
         wfReal more = ahead ? wfSpeculativeMargin(s, k, &b->followed[part]) : 0;
         box.min = wfSub(box.min, wfV2(more, more));
         box.max = wfAdd(box.max, wfV2(more, more));
@@ -189,8 +189,8 @@ wfResult wfPrepareIndex(struct wfStep *s)
     size_t mark = wfPoolMark(&s->scratch);
     uint8_t *moved = wfPoolPushArray(&s->scratch, s->count, uint8_t);
     if (moved == NULL) return WF_ERROR_MEMORY;
-    memset(moved, wfSolverIntegrates(s) ? 1 : 0, (size_t)s->count);
-    for (int32_t i = 0; i < s->contactCount && !wfSolverIntegrates(s); i++)
+    memset(moved, s->integrates ? 1 : 0, (size_t)s->count);
+    for (int32_t i = 0; i < s->contactCount && !s->integrates; i++)
         moved[s->contacts[i].a] = moved[s->contacts[i].b] = 1;
     Again a = { s, moved };
     wfInParts(&s->workers, s->count, WF_STEP_PART, place_again, &a);

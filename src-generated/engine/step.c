@@ -16,6 +16,8 @@ static wfResult copy_states(struct wfStep *s)
     /* say which bodies do not take part */
     s->shapeCount = s->b.head->shapeSlots.high;
     s->kept = s->b.head->kept;     /* in this chapter nothing is */
+    s->integrates = wfHas(s->b.head, WF_MODULE_SUBSTEPS)
+                 && wfSolverTable[s->b.head->solver].step != NULL;
     s->view = (wfCallbackView){ .bodies = wfViewOf(&s->b, s->state),
                                 .shapes = wfShapesOf(&s->b), .timeStep = s->b.head->timeStep };
     s->fine = NULL;
@@ -60,7 +62,7 @@ static wfResult damp_again(struct wfStep *s)
 {
     bool later = false;                     /* after a solver that steps by itself */
     /* see whether the second half comes later */
-    later = wfSolverIntegrates(s);
+    later = s->integrates;
     return later ? WF_OK : damp_half(s);
 }
 
@@ -108,7 +110,7 @@ static wfResult integrate(struct wfStep *s)
 {
     const wfHeader *head = s->b.head;
     /* leave it to a solver that steps by itself */
-    if (wfSolverIntegrates(s)) return sum_forces(s);
+    if (s->integrates) return sum_forces(s);
     wfIntegration in = { .state = s->state, .count = s->count, .time = 0,
                          .h = head->timeStep, .forces = forces_on, .context = s,
                          .scratch = &s->scratch };
@@ -223,7 +225,7 @@ static wfResult solve_velocities(struct wfStep *s)
 {
     wfSolve solve = to_solve(s);
     if (s->movers == 0) return WF_OK;
-    if (!wfSolverIntegrates(s)) return wfSolveVelocities(s->b.head->solver, &solve);
+    if (!s->integrates) return wfSolveVelocities(s->b.head->solver, &solve);
     wfResult result = WF_OK;
     bool done = false;
     wfPool room = wfScratchFrom(&s->b, WF_REGION_LATE);
@@ -240,7 +242,7 @@ static wfResult solve_velocities(struct wfStep *s)
 static wfResult solve_positions(struct wfStep *s)
 {
     wfSolve solve = to_solve(s);
-    return wfSolverIntegrates(s) ? WF_OK : wfSolvePositions(s->b.head->solver, &solve);
+    return s->integrates ? WF_OK : wfSolvePositions(s->b.head->solver, &solve);
 }
 
 /* copy in parts */

@@ -28,6 +28,7 @@ struct wfStep {
     /* arrays of the second half */
     int32_t          shapeCount;  /* places for shapes in use */
     int32_t          movers;      /* how many bodies can move, or do */
+    bool             integrates;  /* the solver moves the bodies itself */
     uint8_t          proxyFlags;  /* of all shapes together */
     wfSleepingLists  kept;        /* of the last step, and not to be looked at again */
     wfBodyForces    *sums;        /* of the forces, for a solver that steps */
@@ -98,10 +99,8 @@ typedef struct wfFlowRow {
 extern const wfFlowRow wfFlowTable[];
 extern const int wfFlowCount;
 
-/* Does the world's solver move the bodies itself? How far may a shape come, m? */
-bool wfSolverIntegrates(const struct wfStep *s);
 int32_t wfPassesOf(const wfHeader *head);     /* of the contact solver */
-/* notes its pace */
+/* How far may a shape come, m? Notes its pace. */
 wfReal wfSpeculativeMargin(struct wfStep *s, int32_t k, bool *followed);
 /* Is it a sensor, and could a contact change its body's velocity? */
 static inline bool wfIsSensor(const wfBlock *b, int32_t k)
@@ -110,8 +109,12 @@ static inline bool wfIsSensor(const wfBlock *b, int32_t k)
 }
 bool wfHasMass(const struct wfStep *s, int32_t k);
 wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p);
-/* Does anything move it, or could it? Its flags and its box, where the body is placed. */
-bool wfCanMove(const wfBodyState *s);
+/* Does anything move it, or could it? */
+static WF_ONE_COPY bool wfCanMove(const wfBodyState *s)
+{
+    return s->invMass > 0 || s->invInertia > 0 || s->v.x != 0 || s->v.y != 0 || s->w != 0;
+}
+/* The flags of a shape, and its box where the body is placed. */
 uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k);
 wfRect wfBoundOne(const wfBlock *b, int32_t k, wfTransform placed);
 size_t wfIndexBytes(const wfHeader *head);      /* of the broad phase's index */
@@ -145,7 +148,7 @@ static WF_ONE_COPY wfReal wfWayOfShape(const struct wfStep *s, int32_t k, wfSwee
 static WF_ONE_COPY bool wfIsFollowed(const struct wfStep *s, int32_t k, wfReal way)
 {
     const wfShapeProps *m = &s->b.materials[k];
-    wfReal least = (wfSolverIntegrates(s) ? WF_NEAR_WAY : s->b.head->slop) * m->reach;
+    wfReal least = (s->integrates ? WF_NEAR_WAY : s->b.head->slop) * m->reach;
     int linked = s->linked != NULL ? s->linked[s->b.bodyOfShape[k]] : 0;
     if (way <= (wfReal)linked * m->reach) return false;
     return s->b.head->maxImpacts > 0 && way > wfMaxR(m->inner, least);

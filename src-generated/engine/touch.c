@@ -80,11 +80,11 @@ static wfReal deepest(const wfManifold *m)
     return depth;
 }
 
-/* The speed at which two bodies meet that now approach with u, m/s. */
-static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal u)
+/* The speed at which two bodies meet that now approach with u, m/s, across the gap. */
+static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal gap,
+                             wfReal u)
 {
-    wfReal gap = -deepest(&c->manifold);
-    if (!wfSolverIntegrates(s) || !(gap > 0)) return u;
+    if (!s->integrates || !(gap > 0)) return u;
     wfVec2 a = wfScale(s->state[c->a].invMass, s->sums[c->a].force);
     wfVec2 b = wfScale(s->state[c->b].invMass, s->sums[c->b].force);
     wfReal square = u * u + 2 * gap * wfDot(wfSub(a, b), c->manifold.normal);
@@ -92,18 +92,19 @@ static wfReal speed_when_met(const struct wfStep *s, const wfContact *c, wfReal 
     return square > 0 ? wfSqrt(square) : 0;
 }
 
-static void note_hit(struct wfStep *s, const wfContact *c, const wfTouchingPair *touch)
+static void note_hit(struct wfStep *s, const wfContact *c, wfReal gap,
+                     const wfTouchingPair *touch)
 {
     const wfBodyState *a = &s->state[c->a], *b = &s->state[c->b];
     const wfManifold *m = &c->manifold;
     wfTwist ta = { a->v, a->w }, tb = { b->v, b->w };
-    wfReal least = deepest(m) >= 0 ? s->hitSpeed : 0, fastest = 0;  /* no gap adds speed */
+    wfReal least = gap <= 0 ? s->hitSpeed : 0, fastest = 0;  /* no gap adds speed */
     for (int32_t i = 0; i < m->count; i++)
         fastest = wfMaxR(wfApproachSpeed(&m->points[i], m->normal, ta, tb), fastest);
     if (!(c->restitution > 0) && !(fastest > least)) return;
     wfPairHit hit = { .point = m->points[0].point, .normal = m->normal };
     bool comes = wfMakeHit(touch, m, ta, tb, 0, &hit);
-    if (comes) hit.speed = speed_when_met(s, c, hit.speed);
+    if (comes) hit.speed = speed_when_met(s, c, gap, hit.speed);
     if (!(hit.speed > s->hitSpeed) && !(c->restitution > 0)) return;
     s->hits[s->hitCount++] = (wfContactHit){ .a = wfIdOfShape(&s->b, touch->a),
         .b = wfIdOfShape(&s->b, touch->b), .point = hit.point, .normal = hit.normal,
@@ -115,13 +116,13 @@ static bool has_too_many(const struct wfStep *s)
     return s->touchCount > s->b.head->contactCapacity - s->kept.touches;
 }
 
-static void note_touch(struct wfStep *s, const wfContact *c, bool sure)
+static void note_touch(struct wfStep *s, const wfContact *c, wfReal gap, bool sure)
 {
     if (!s->b.head->events) return;
     wfPair p = { c->shapeA, c->shapeB };
     wfTouchingPair *touch = &s->touches[s->touchCount++];
     *touch = stamp_touch(s, p, sure ? TOUCH_SURE : 0);
-    if (wfHas(s->b.head, WF_MODULE_EVENTS)) note_hit(s, c, touch);
+    if (wfHas(s->b.head, WF_MODULE_EVENTS)) note_hit(s, c, gap, touch);
 }
 
 /* Puts touches of those strikes in that have none yet. */
@@ -269,22 +270,24 @@ static wfReal slop_of(const struct wfStep *s, wfPair p)
 }
 
 /* All of a contact but its manifold. */
-static void start_contact(const struct wfStep *s, wfPair p, wfContact *c)
+static void start_contact(const struct wfStep *s, wfPair p, const wfContact *old,
+                          wfContact *c)
 {
     const wfShapeProps *a = &s->b.materials[p.a], *b = &s->b.materials[p.b];
     wfPairMaterial m = wfMixMaterials(&s->b, a, b);
     c->a = s->b.bodyOfShape[p.a], c->b = s->b.bodyOfShape[p.b];
     c->shapeA = p.a, c->shapeB = p.b;
-    c->sliding = c->settled = 0;
+    c->sliding = old != NULL ? old->sliding : 0;
+    c->settled = old != NULL ? old->settled : 0;
+    c->rollingImpulse = old != NULL ? old->rollingImpulse : 0;
     c->restitution = m.restitution, c->rollingResistance = m.rollingResistance;
     c->friction = m.friction, c->staticFriction = m.staticFriction;
     c->tangentSpeed = wfMixSurfaceSpeed(a->tangentSpeed, b->tangentSpeed);
-    c->rollingImpulse = 0;
     c->slop = slop_of(s, p);
 }
 
 static wfResult measure(struct wfStep *s, wfWalk *w, int32_t i, wfReal margin,
-                        const wfContact *old, wfManifold *out)
+                        const wfContact *old, bool *again, wfManifold *out)
 {
     wfPair p = s->pairs.pairs[i];
     const wfShape *a = &s->b.shapes[p.a], *b = &s->b.shapes[p.b];
@@ -292,21 +295,22 @@ static wfResult measure(struct wfStep *s, wfWalk *w, int32_t i, wfReal margin,
         xb = s->places[s->b.bodyOfShape[p.b]];
     wfReal within = margin;
     wfSeparation found;
-    (void)w, (void)old;
+    (void)w, (void)old, (void)again;
     /* use the manifold of pair p again */
     const wfShapeProps *pa = &s->b.materials[p.a], *pb = &s->b.materials[p.b];
     const wfManifoldCache *known = old_cache(&s->b, w, p);
     wfManifoldCache *cache = &s->caches[i];
     bool round = a->count < 2 || b->count < 2, worth = a->count > 1 || b->count > 1;
     bool link = a->kind == WF_SHAPE_LINK || b->kind == WF_SHAPE_LINK;
-    bool again = s->b.head->reuseManifolds && worth;
-    wfReal thin = round || link || !again ? 0 : wfMinR(pa->inner, pb->inner);
+    bool may = s->b.head->reuseManifolds && worth;
+    wfReal thin = round || link || !may ? 0 : wfMinR(pa->inner, pb->inner);
     wfReal allowed = WF_REUSE_SHARE * thin;
-    if (known != NULL && again) {
+    if (known != NULL && may) {
         *cache = *known;
         out->count = 0;
         if (old != NULL) *out = old->manifold;
-        if (wfReuseManifold(pa->reach, xa, pb->reach, xb, margin, known, out)) return WF_OK;
+        *again = wfReuseManifold(pa->reach, xa, pb->reach, xb, margin, known, out);
+        if (*again) return WF_OK;
     }
     if (!worth) *cache = (wfManifoldCache){ .known = 0 };
     within += allowed;
@@ -323,8 +327,11 @@ static wfResult measure(struct wfStep *s, wfWalk *w, int32_t i, wfReal margin,
 static void drop_gaps(wfManifold *m, wfReal margin)
 {
     int32_t kept = 0;
-    for (int32_t i = 0; i < m->count; i++)
-        if (m->points[i].depth >= -margin) m->points[kept++] = m->points[i];
+    for (int32_t i = 0; i < m->count; i++) {
+        if (!(m->points[i].depth >= -margin)) continue;
+        if (kept < i) m->points[kept] = m->points[i];
+        kept++;
+    }
     m->count = kept;
 }
 
@@ -334,22 +341,22 @@ static wfResult touch_pair(struct wfStep *s, wfWalk *w, int32_t i)
     bool full = s->contactCount == s->b.head->contactCapacity - s->kept.contacts;
     wfContact beside, *c = full ? &beside : &s->contacts[s->contactCount];
     const wfContact *old = old_contact(&s->b, w, p);
-    bool was = false, enabled = true;
+    bool was = false, enabled = true, again = false;
     /* see whether the pair p touched before */
     was = touched_before(&s->b, w, p);
-    wfReal ahead = wfSolverIntegrates(s) ? wfSpeculativeMarginOfPair(s, p) : 0;
+    wfReal ahead = s->integrates ? wfSpeculativeMarginOfPair(s, p) : 0;
     wfReal margin = was ? wfMaxR(ahead, slop_of(s, p)) : ahead;
-    wfResult result = measure(s, w, i, margin, old, &c->manifold);
+    wfResult result = measure(s, w, i, margin, old, &again, &c->manifold);
     drop_gaps(&c->manifold, margin);
     if (result != WF_OK || c->manifold.count == 0) return result;
-    start_contact(s, p, c);
-    if (old != NULL) wfCarryImpulses(old, c);
+    start_contact(s, p, old, c);
+    if (old != NULL && !again) wfCarryImpulses(old, c);     /* else it has them */
     /* ask whether the contact c is wanted */
     if (s->hooks != NULL && s->hooks->preSolve != NULL) result = ask_hook(s, c, &enabled);
     if (result != WF_OK || !enabled) return result;
     /* note the touch of the contact c */
-    bool is = wfTouchesNow(was, -deepest(&c->manifold), c->slop);
-    note_touch(s, c, is);
+    wfReal gap = -deepest(&c->manifold);
+    note_touch(s, c, gap, wfTouchesNow(was, gap, c->slop));
     if (s->told != NULL && !full) s->told[s->contactCount] = (wfTold){ .impulse = 0 };
     drop_gaps(&c->manifold, ahead);
     if (c->manifold.count == 0) return WF_OK;
@@ -529,7 +536,7 @@ wfResult wfFindContacts(struct wfStep *s)
 wfContact wfStartContact(const struct wfStep *s, wfPair p)
 {
     wfContact c = { .manifold = { .count = 0 } };
-    start_contact(s, p, &c);
+    start_contact(s, p, NULL, &c);
     return c;
 }
 
@@ -539,7 +546,7 @@ wfResult wfAskAboutContact(struct wfStep *s, wfContact *c, bool *enabled)
 }
 
 /* What the step did to shapes a and b; *at is the finger on the contacts. */
-static wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
+static inline wfTold told_of(const struct wfStep *s, int32_t *at, int32_t a, int32_t b)
 {
     const wfContact *c = s->contacts;
     int32_t count = s->contactCount;
