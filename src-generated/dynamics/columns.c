@@ -208,7 +208,7 @@ static void try_root(Search *q, int32_t contact)
     if (!add_limb(q, contact, body, -1)) return;
     bool tree = grow(q, root) && close_loops(q, root);
     bool alone = tree && is_alone(q, &q->t->limb[root]);
-    if (alone) q->t->held[contact] = WF_HELD_ALONE, q->t->alone = true;
+    if (alone) q->t->held[contact] = WF_HELD_ALONE;
     if (tree && !alone && is_worth(q, &q->t->limb[root])) return;
     while (q->t->count > root) q->limb[q->t->limb[--q->t->count].body] = GIVEN_UP;
 }
@@ -218,7 +218,7 @@ wfResult wfFindStacks(const wfSubsteps *s, wfStacks *t)
     const wfSolve *in = s->in;
     Search q = { .s = s, .t = t };
     t->count = t->answers = 0;
-    t->linked = t->alone = false;
+    t->linked = false;
     t->room = 2 * in->bodyCount;
     t->limb = wfPoolPushArray(in->scratch, t->room, wfLimb);
     t->trunk = wfPoolPushArray(in->scratch, in->bodyCount, wfTrunk);

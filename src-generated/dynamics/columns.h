@@ -54,7 +54,7 @@ typedef struct wfStacks {
     wfReal  *answer;             /* what pushes at links do to links, sec:soft-again */
     int32_t  answers;
     uint8_t *held;               /* by place in c: is it solved here? */
-    bool     linked, alone;      /* some tree has loops; some contact is alone */
+    bool     linked;             /* some tree has loops */
 } wfStacks;
 
 enum { WF_HELD_NOT, WF_HELD_IN_TREE, WF_HELD_IN_LOOP, WF_HELD_ALONE };
