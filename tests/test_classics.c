@@ -183,7 +183,7 @@ TEST(on_the_ramp_two_hold_and_two_slide)
     for (int i = 0; i < 4; i++) {
         double way = (double)wfDistance(wfWorldBodies(&before).state[i + 2].p, wfWorldBodies(&after).state[i + 2].p);
         /* in 1 s: 1 m by its push and g/2 (sin - mu cos) for the third, the same without the push for the fourth, which is held back by
-         * mu_s for the first substep; a hundredth of that for the half substep in which it is not yet known to slide, and for sinking. */
+         * mu_s for the first substep; a hundredth of that for the half substep in which it is not yet known to slide. */
         const double late = 1.0 / 240, slower = 9.81 * 0.1 * 0.8944272 * late;
         const double want[4] = { 0, 0, 1 + 9.81 / 2 * (0.4472136 - 0.4 * 0.8944272),
                                  9.81 / 2 * (0.4472136 - 0.3 * 0.8944272) - slower * (1 - late / 2) };

@@ -65,7 +65,7 @@ TEST(it_slips_at_the_static_angle_and_slides_on_with_the_dynamic_one)
                 double creep = k == 1 ? 0.5 * G * sin(angle) / 60 : 0, before = along(&world, id);
                 run(&world, 240);
                 assert_near(along(&world, id) - before, 4 * creep, 1e-3 + 0.02 * 4 * creep);
-            } else {                                      /* the mean over two seconds: rounding and the solver's softness, 0.1 % */
+            } else {                                      /* the mean over two seconds */
                 run(&world, 120);
                 assert_near((speed(&world, id) - v) / 2, a, 2e-3 * a);
             }
