@@ -82,6 +82,16 @@ static inline void play_choose(play *p, const char *choice, const char *row)
     play_click(p, row);
 }
 
+/* Clicks a number, lets the mouse rest there, and types. */
+static inline void play_type(play *p, const char *widget, const char *keys)
+{
+    char label[80], script[300];
+    snprintf(label, sizeof label, "widget %s pixel", widget);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\nframe\n%s\nframe\nframe\n",
+             play_fact(p, label, 0), play_fact(p, label, 1), keys);
+    play_run(p, script);
+}
+
 /* Does a line say exactly this? */
 static inline int play_says(const play *p, const char *line)
 {

@@ -286,26 +286,16 @@ static void link_is(play *p, const char *want)
     assert_string_equal(text, want);
 }
 
-/* Clicks a number, lets the mouse rest there, and types. */
-static void type_into(play *p, const char *widget, const char *keys)
-{
-    char label[80], script[300];
-    snprintf(label, sizeof label, "widget %s pixel", widget);
-    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\nframe\n%s\nframe\nframe\n",
-             play_fact(p, label, 0), play_fact(p, label, 1), keys);
-    play_run(p, script);
-}
-
 TEST(a_number_can_be_typed_and_the_address_knows)
 {
     play p = play_open(1100, 700, 1);
     play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 10\nkey p\nkey s\nsteps 0\nframe\nframe\n");
     play_click(&p, "World");
     link_is(&p, "scene=stack-of-boxes");
-    type_into(&p, "gravity.y", "key -\nkey 3\nkey p\nkey .\nkey 5\nframe\nkey enter");
+    play_type(&p, "gravity.y", "key -\nkey 3\nkey p\nkey .\nkey 5\nframe\nkey enter");
     link_is(&p, "scene=stack-of-boxes&gravity.x=0&gravity.y=-3.5");
     assert_int_equal((int)play_fact(&p, "paused", 0), 1);   /* the letter p was no number, and no key either */
-    type_into(&p, "gravity.y", "key 9\nkey escape");
+    play_type(&p, "gravity.y", "key 9\nkey escape");
     link_is(&p, "scene=stack-of-boxes&gravity.x=0&gravity.y=-3.5");
     assert_true(game_set(&p.memory, "gravity", -2));
     assert_true(game_set(&p.memory, "gravity.x", 1));

@@ -26,14 +26,6 @@ static void pull(play *p, const char *name, int by)
              x, y, x + by / 2, y, x + by, y);
     play_run(p, script);
 }
-static void type_into(play *p, const char *widget, const char *keys)
-{
-    char label[80], script[300];
-    snprintf(label, sizeof label, "widget %s pixel", widget);
-    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\nframe\n%s\nframe\nkey enter\nframe\nframe\n",
-             play_fact(p, label, 0), play_fact(p, label, 1), keys);
-    play_run(p, script);
-}
 static bool has(const play *p, const char *widget)
 {
     char label[64];
@@ -112,7 +104,7 @@ static int try_lines(play *p, const char *kind)
             told(p, before);
             use_numbers(p);
             double was = number(p, lines[i].number);
-            if (typed) type_into(p, lines[i].name, "key 3\nkey .\nkey 5");
+            if (typed) play_type(p, lines[i].name, "key 3\nkey .\nkey 5\nkey enter");
             else pull(p, lines[i].name, 30);
             told(p, after);
             use_numbers(p);
@@ -167,10 +159,10 @@ TEST(a_rope_gets_longer_and_a_spring_gets_stiffer)
     play p = two_joined("rope");
     choose_it(&p, "distance");
     assert_true(has(&p, "longest") && !has(&p, "length"));
-    type_into(&p, "longest", "key 2\nkey .\nkey 5");
+    play_type(&p, "longest", "key 2\nkey .\nkey 5\nkey enter");
     use_numbers(&p);
     assert_near(number(&p, UPPER), 2.5, 1e-6);
-    type_into(&p, "shortest", "key 3");                         /* one stop takes the other along */
+    play_type(&p, "shortest", "key 3\nkey enter");                         /* one stop takes the other along */
     use_numbers(&p);
     assert_near(number(&p, UPPER), 3, 1e-6);
     play_end(&p);
@@ -178,7 +170,7 @@ TEST(a_rope_gets_longer_and_a_spring_gets_stiffer)
     choose_it(&p, "distance");
     use_numbers(&p);
     double damping = number(&p, DAMPING);
-    type_into(&p, "hertz", "key 4");
+    play_type(&p, "hertz", "key 4\nkey enter");
     use_numbers(&p);
     assert_near(number(&p, HERTZ), 4, 1e-5);
     assert_near(number(&p, DAMPING), damping, 1e-5);            /* stays what it was */

@@ -115,16 +115,17 @@ TEST(landings_give_no_energy)
 {
     wfRandom r;
     wfRandomSeed(&r, 480);
-    for (int run = 0; run < 48; run++) {
+    for (int run = 0; run < 144; run++) {                       /* from 48 on they slide, on what is rough and what is smooth */
         enum { BOXES = 8 };
         double rate = 60 << run % 4, before = 1e30, weight = 0, rose = 0, pressed = 0;
-        bool springs = run < 24;
+        bool springs = run % 48 < 24, slide = run >= 48;
         wfBodyId id[BOXES];
         wfWorld w = open_with(rate, springs ? -1 : 0);
         add(&w, floor_def());
         for (int i = 0; i < BOXES; i++) {
             wfBodyDef d = rough_box((double)wfRandomReal(&r, -1, 1), 1 + 1.3 * i, (double)wfRandomReal(&r, WF_R(0.2), WF_R(0.45)), 0.3);
             d.angle = run % 2 ? wfRandomReal(&r, -1, 1) : 0;
+            if (slide) d.friction = wfRandomReal(&r, 0, WF_R(0.9)), d.velocity = wfV2(wfRandomReal(&r, -6, 6), 0);
             id[i] = add(&w, d);
             weight += 10 * (double)info(&w, id[i]).mass;
         }

@@ -112,7 +112,7 @@ static WF_ONE_COPY wfReal wfSumOfNormals(const wfPrepared *c)
 void wfJudgeFriction(wfPrepared *c, const wfPairMotion *m, bool found);
 
 /* One pass over friction and rolling: eq:sequential-friction. */
-static WF_ONE_COPY void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
+static inline void wfSolveFriction(wfPrepared *c, wfPairMotion *m)
 {
     wfReal sum = 0;
     for (int32_t i = 0; i < c->count; i++) {
