@@ -1,6 +1,6 @@
 # compile.mk: compiles one tangled tree.
 #   make -f tangle/compile.mk SRC=build/lines OUT=build lib        the engine: static, shared, collision alone, pkg-config, CMake
-#   make -f tangle/compile.mk SRC=build/lines OUT=build test       tests/test_*.c (or TESTS=..., which may be none)
+#   make -f tangle/compile.mk SRC=build/lines OUT=build test       tests/test_*.c (or TESTS=..., which may be none); TESTFLAGS=-O0: their own text so
 # Used for the developer build, for sanitizer and double builds, for `make upto`, and for builds from src-generated/ alone.
 SRC ?= src-generated
 OUT ?= build
@@ -89,7 +89,7 @@ $(OUT)/lib/cmake/weft/%.cmake: tangle/%.cmake.in $(LIBOBJ)
 
 $(OUT)/tests/%: tests/%.c $(FLAGS) $(WEFT_LIBS) $(wildcard tests/*.h)
 	@mkdir -p $(@D)
-	@$(COMPILE) -Itests $< $(WEFT_LIBS) $(CJSON) -lcmocka -lm -o $@
+	@$(COMPILE) $(TESTFLAGS) -Itests $< $(WEFT_LIBS) $(CJSON) -lcmocka -lm -o $@
 tests: $(TESTBIN)
 test: $(TESTBIN)
 	@for t in $(TESTBIN); do $$t >$$t.log 2>&1 && echo "  ok    $$(basename $$t): $$(grep -c '^\[       OK' $$t.log) tests" || { echo "  FAIL  $$t"; grep -vE '^\[( RUN|       OK)' $$t.log | tail -40; exit 1; }; done

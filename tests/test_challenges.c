@@ -12,6 +12,7 @@ static void open_challenge(play *p, const char *name)
 {
     char script[100];
     *p = play_open(WIDE, HIGH, 1);
+    p->sparing = true;
     snprintf(script, sizeof script, "scene challenge=%s\nsteps 0\nframe\nframe\n", name);
     play_run(p, script);
     assert_int_equal((int)play_fact(p, "kicks", 0), 0);
@@ -27,8 +28,8 @@ static void steps(play *p, int count)
 /* Runs until there is a verdict or the try doesn't count; WF_NOT_YET: neither in so many seconds. */
 static int verdict(play *p, double seconds)
 {
-    for (int i = 0; i < (int)(seconds * 6); i++) {
-        steps(p, 10);
+    for (int i = 0; i < (int)(seconds * 2); i++) {
+        steps(p, 30);
         if (play_fact(p, "verdict", 0) > 0 || play_fact(p, "foul", 0) > 0) break;
     }
     return (int)play_fact(p, "verdict", 0);
@@ -413,6 +414,7 @@ TEST(every_row_is_whole)
 TEST(a_scene_at_rest_offers_something)
 {
     play p = play_open(WIDE, HIGH, 1);
+    p.sparing = true;
     play_run(&p, "scene tower\nsteps 1\nwait 200\nsteps 0\nframe\n");
     assert_null(play_line(&p, "widget Throw a ball"));                  /* not yet */
     play_run(&p, "steps 1\nwait 500\nsteps 0\nframe\nframe\n");
@@ -433,7 +435,8 @@ TEST(a_scene_at_rest_offers_something)
     play_click(&p, "Take one out");
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies - 1);
     play_end(&p);
-    p = play_open(WIDE, HIGH, 1);                                      /* nothing can move: nothing to offer */
+    p = play_open(WIDE, HIGH, 1);
+    p.sparing = true;                                                  /* nothing can move: nothing to offer */
     play_run(&p, "scene integrators\nsteps 1\nwait 500\nsteps 0\nframe\nframe\n");
     assert_null(play_line(&p, "widget Tilt"));
     play_end(&p);

@@ -460,6 +460,7 @@ static void drive_by(play *p, const char *scene, const char *before, const char 
 {
     char script[600];
     *p = play_open(1280, 800, 1);
+    p->sparing = true;
     snprintf(script, sizeof script, "steps 0\nscene %s\nframe\nframe\nsteps 1\n%sframe\n%swait 29\n%swait 30\n", scene, before, during, after);
     play_run(p, script);
 }
@@ -479,6 +480,7 @@ TEST(keys_and_buttons_drive_alike)
             snprintf(let, sizeof let, "let %s\n", key[i]);
             drive_by(&a, name, press, "", let);
             b = play_open(1280, 800, 1);
+            b.sparing = true;
             snprintf(press, sizeof press, "steps 0\nscene %s\nframe\nframe\n", name);
             play_run(&b, press);
             snprintf(label, sizeof label, "widget %s pixel", s->controls[i]);
@@ -496,6 +498,7 @@ TEST(the_demo_drives_until_somebody_does)
 {
     play p, q;
     p = play_open(1280, 800, 1);
+    p.sparing = true;
     play_run(&p, "steps 0\nscene hill-car\nframe\nsteps 1\nwait 180\n");
     double far = play_fact(&p, "body 0 x", 0);
     must(far > 4, "the demo does not drive: %g", far);
@@ -533,6 +536,7 @@ TEST(arrows_without_a_word_move_the_view)
 TEST(a_tape_of_a_drive_replays_to_the_last_bit)
 {
     play p = play_open(1280, 800, 1);
+    p.sparing = true;
     play_run(&p, "steps 0\nscene platforms\nframe\nkey f\nframe\nsteps 1\nhold right\nwait 40\nhold up\nwait 20\nlet up\nwait 30\nlet right\nwait 20\nkey f\nsteps 0\nframe\n");
     char hash[40];
     snprintf(hash, sizeof hash, "%.21s", play_line(&p, "hash"));
