@@ -54,9 +54,8 @@ game: $(BUILD)/tangle.stamp
 test: $(BUILD)/tangle.stamp
 	@$(SUBMAKE) -f tangle/compile.mk SRC=$(LINES) OUT=$(BUILD) test
 
-# The program as it stands after a chapter: tangled from the chapters up to it alone, in the order of book/plan.tsv, compiled, and tested. For all chapters in turn,
-# each prefix runs the tests of its last chapter (those of the others have just run on the prefix before), and all are made in one
-# place: a file that a chapter leaves as it was is not written again, so it is not compiled again.
+# The program as it stands after a chapter: tangled from the chapters up to it alone, in the order of book/plan.tsv, compiled, and tested.
+# All chapters in turn (tests/upto/run.sh), each with the tests of its own.
 UPTO_TESTS ?= tests
 UPTO_DIR ?= $(BUILD)/upto/$(CHAPTER)
 upto:
@@ -67,9 +66,7 @@ upto:
 	@CC="$(CC)" tests/examples/small.sh $(UPTO_DIR) $(CHAPTER)
 	@echo "upto: the program as it stands after chapter $(CHAPTER) compiles and passes its tests ($(UPTO_DIR))."
 upto-all:
-	@rm -rf $(BUILD)/upto/all; mkdir -p $(BUILD)/upto
-	@for n in $$(tangle/chapters --steps); do \
-	   $(MAKE) --no-print-directory upto CHAPTER=$$n UPTO_TESTS=own-tests UPTO_DIR=$(BUILD)/upto/all >$(BUILD)/upto/$$n.log 2>&1 && tail -1 $(BUILD)/upto/$$n.log || { cat $(BUILD)/upto/$$n.log; exit 1; }; done
+	@tests/upto/run.sh --all
 
 # LIBDIR=lib64, or lib/x86_64-linux-gnu: where the system keeps its libraries
 LIBDIR ?= lib
