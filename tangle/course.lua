@@ -185,7 +185,7 @@ end
 
 --------------------------------------------------------------------------------------------------- from a file to its results
 local STD = "-std=gnu11 " .. io.popen("tangle/std --bits"):read("l")
-local function compile_line(out) return CC .. " " .. STD .. " " .. (os.getenv("COURSE_CFLAGS") or "-O1 -gdwarf-4") .. " -fno-pie -I" .. quote(out .. "/lines/include") .. " -I" .. quote(out .. "/lines") end
+local function compile_line(out, plain) return CC .. " " .. STD .. " " .. (os.getenv("COURSE_CFLAGS") or plain and "-O0 -gdwarf-4" or "-O1 -gdwarf-4") .. " -fno-pie -I" .. quote(out .. "/lines/include") .. " -I" .. quote(out .. "/lines") end
 
 local function refuse(r, what, list_of)
   r.refused = what
@@ -273,7 +273,7 @@ local SANITIZE = " -fsanitize=address,undefined -fno-sanitize-recover=all -fno-o
 local WRAP = " -Wl,--wrap=wfPoolPush,--wrap=wfPoolPushMany,--wrap=wfPoolReset,--wrap=wfPoolRewind"
 local function names_of(command) local t = {} for l in lines(out_of(command .. " 2>/dev/null")) do local n = l:match("(%S+)$") if n then t[n] = true end end return t end
 
--- The test itself: compiled once, unless it includes a header of the exercise's own. NAME.o, and NAME.san.o with the sanitizers.
+-- The test itself: compiled once, unless it includes a header of the exercise's own. NAME.o, and NAME.san.o with the sanitizers, not optimized.
 function Course.test_object(base, out, flags, kind)
   local source, log = test_file(base, "c"), out .. "/log"
   local own = out_of("grep -ohE '\"(lab|course)/[a-z0-9_]+\\.h\"' " .. quote(source) .. " 2>/dev/null") ~= ""
@@ -281,7 +281,7 @@ function Course.test_object(base, out, flags, kind)
   if not own and read(test) then return test end
   local o = own and out .. "/test" .. kind or test .. "." .. tostring({}):match("0x(%x+)") .. ".o"
   os.execute("mkdir -p " .. quote(B .. "/course/tests"))
-  local command = compile_line(out) .. flags .. " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines") .. " -I" .. TESTS .. " -Wall -Wextra -Wno-unused-function -c " .. quote(source) .. " -o " .. quote(o)
+  local command = compile_line(out, kind == ".san.o") .. flags .. " -I" .. quote(B .. "/lines/include") .. " -I" .. quote(B .. "/lines") .. " -I" .. TESTS .. " -Wall -Wextra -Wno-unused-function -c " .. quote(source) .. " -o " .. quote(o)
   if not ok(command .. " >>" .. quote(log) .. " 2>&1") then return nil end
   if own then return o end
   os.execute("mv " .. quote(o) .. " " .. quote(test))
@@ -289,7 +289,7 @@ function Course.test_object(base, out, flags, kind)
 end
 
 -- Builds FILE against the engine: { base, file, criteria = {...}, refused, program, sanitized }.
--- like: where a solution of the same exercise has passed the loom; this is a variant of it, and is tangled without its checks.
+-- like: where a solution of the same exercise has passed the loom; this is a variant of it: tangled without its checks, compiled without optimization.
 -- sanitize: a second program, with the address and undefined sanitizers.
 function Course.build(file, base, out, like, sanitize)
   local r = { base = base, file = file, criteria = criteria_of(base), earned = 0, max = 0, out = out, chunks = { list = {}, defined = {}, used = {}, first = {} } }
@@ -334,7 +334,7 @@ function Course.build(file, base, out, like, sanitize)
   if not test then return refuse(r, "the test does not compile with the chapter", told(read(log), file, chunks, base)) end
   -- The submission's objects. Only names that the test asks for, or that the engine's own object gives, leave them; what else they
   -- define is nobody's but theirs.
-  local wants = names_of("nm -u " .. quote(test))
+  local wants = names_of(Refuse.nm .. " -u " .. quote(test))
   local engine
   local given_lines = {}
   for l in lines(read(starter_file(base))) do
@@ -347,7 +347,7 @@ function Course.build(file, base, out, like, sanitize)
   for _, f in ipairs(differing(out, like)) do
     if f:match("%.c$") and not f:match("_main%.c$") then
       local o, source = out .. "/" .. f:gsub("[/%.]", "_") .. ".o", quote(out .. "/lines/" .. f)
-      local compile = compile_line(out) .. (alone and include or "") .. " -Wall -Wextra -Werror=implicit-function-declaration -Werror=override-init -Werror=return-type -fno-jump-tables "
+      local compile = compile_line(out, like) .. (alone and include or "") .. " -Wall -Wextra -Werror=implicit-function-declaration -Werror=override-init -Werror=return-type -fno-jump-tables "
       found = refusals(Refuse.preprocessed(out_of(compile .. "-E " .. source .. " 2>/dev/null"), file, of_book), file, chunks)
       if found then return refuse(r, NOT_NEEDED, found) end
       if not ok(compile .. "-c " .. source .. " -o " .. quote(o) .. " >>" .. quote(log) .. " 2>&1") then
@@ -359,7 +359,7 @@ function Course.build(file, base, out, like, sanitize)
         for l in lines(read(B .. "/course/engine.names") or out_of("nm -g --defined-only " .. B .. "/lib/*.a 2>/dev/null")) do local n = l:match("(%S+)$"); if n then engine[n] = true end end
       end
       local theirs = B .. "/obj/" .. f:gsub("%.c$", ".o")
-      local base_wants = names_of("nm -u " .. quote(theirs))
+      local base_wants = names_of(Refuse.nm .. " -u " .. quote(theirs))
       local more, gives = Refuse.object(out_of, quote(o), function(name) return name:match("^wf") and engine[name] or engine[name] and base_wants[name] or base_wants[name] end)
       for _, m in ipairs(more) do
         local word = m[2]:match("use of (%S+)$")
@@ -367,7 +367,7 @@ function Course.build(file, base, out, like, sanitize)
         bad[#bad + 1] = m
       end
       for _, m in ipairs(Refuse.instructions(out_of, quote(o), file, given_lines, of_book)) do bad[#bad + 1] = m end
-      local keep, engines = {}, names_of("nm -g --defined-only " .. quote(theirs))
+      local keep, engines = {}, names_of(Refuse.nm .. " -g --defined-only " .. quote(theirs))
       for _, name in ipairs(gives) do
         if (engine[name] or Refuse.functions[name]) and not engines[name] then bad[#bad + 1] = { nil, "a function " .. name .. " of its own, where there is one of that name" } end
       end

@@ -8,6 +8,8 @@ python=python3; $python -c 'import yaml' 2>/dev/null || python=/usr/bin/python3
 $python -c 'import yaml' 2>/dev/null || { echo "no YAML parser (tangle/install check): the examples for GitHub and GitLab were not run"; exit 77; }
 out=$(mktemp -d); trap 'rm -rf "$out"' EXIT
 lua=$(tangle/lua)
+export COURSE_WARN=$(. tests/flags.sh && echo "$WARN_FLOAT")     # the engine as the other steps compile it: ccache knows it
+export GIT_CONFIG_COUNT=2 GIT_CONFIG_KEY_0=core.compression GIT_CONFIG_VALUE_0=0 GIT_CONFIG_KEY_1=pack.window GIT_CONFIG_VALUE_1=0     # none is kept
 export GIT_AUTHOR_NAME=x GIT_AUTHOR_EMAIL=x@example.org GIT_COMMITTER_NAME=x GIT_COMMITTER_EMAIL=x@example.org
 repository() { (cd "$1" && git init -q . && git add -A -f && git commit -q -m x) || fail "no repository in $1"; }
 
