@@ -9,17 +9,19 @@ chapter=tests/student/60-leapfrog.nw
 all=tests/student/63-bumper.nw
 both="$chapter tests/student/61-median.nw $all"
 tests="test_integration test_headless test_broad_phase test_broad_phase_index test_events_and_queries_sets"
+export CFLAGS=-O1      # the same bits; nothing here is a debugger's
 check() {      # the directory of the build, the arguments for make
-  local out=$1; shift
+  local out=$1 pages; shift
   make --no-print-directory BUILD="$out" "$@" programs >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   "$out/bin/weft-headless" --list | grep "leapfrog fountain" >/dev/null || { echo "the scene is not in the testbed's list"; return 1; }
   "$out/bin/weft-headless" --scene "leapfrog fountain" --steps 120 --hash >"$out.log" || { cat "$out.log"; return 1; }
   "$out/bin/weft-figures" --list | grep -x leapfrog-throw >/dev/null || { echo "the student's figure is not in the list of figures"; return 1; }
   "$out/bin/weft-lab" run leapfrog-height >"$out.log" && grep -qx '8,3.265' "$out.log" || { echo "the student's measurement is not in the lab"; return 1; }
-  for t in $tests; do
-    make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="tests/$t.c" test >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
-  done
-  make --no-print-directory BUILD="$out" "$@" html PLAIN="$out" PAGES=integration >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
+  make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="$(printf 'tests/%s.c ' $tests)" TESTFLAGS=-O0 test >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
+  # the pages that name the student's chapters, and those whose tables get his rows; all others are those that the step "book" makes
+  make --no-print-directory BUILD="$out" "$@" "$out/weave/.stamp" >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
+  pages=$(cd "$out/weave"; for p in $(grep -lE 'leapfrog|median|bumper' *.md *.lua); do p=${p%.*}; [ ! -f "$p.md" ] || echo "$p"; done | sort -u)
+  make --no-print-directory BUILD="$out" "$@" html BASES="$(echo $pages integration broad-phase)" PROGRAMS_IN="$out" PAGES=integration >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   [ -f "$out/book/html/leapfrog.html" ] && grep -q 'Leapfrog, by a student' "$out/book/html/index.html" || { echo "the chapter is not in the book"; return 1; }
   [ -s "$out/book/html/figures/leapfrog-throw.svg" ] || { echo "the student's figure was not drawn for the book"; return 1; }
   grep -q 'leapfrog.html' "$out/book/html/integration.html" || { echo "the table's chapter does not link to the student's row"; return 1; }
@@ -48,7 +50,7 @@ boasting() {
   sed 's/\.name = "bumper", \.text/.name = "pyramid", .text/; s/(uint32_t)1 << 30, 0, draw_ways/WF_SHOW_CONTACTS, 0, draw_ways/; s/BUMPERS, 21/BUMPERS, 3/' $all > "$again"
   tangle/tangle --lines "$out/lines" $(tangle/chapters) tests/student/61-median.nw "$boast" "$again"
   for t in test_integration test_headless test_modules; do
-    if make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="tests/$t.c" test >"$out.$t" 2>&1; then echo "faults of a student's rows pass $t"; return 1; fi
+    if make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="tests/$t.c" TESTFLAGS=-O0 test >"$out.$t" 2>&1; then echo "faults of a student's rows pass $t"; return 1; fi
   done
   cat "$out".test_* > "$out.log"
   for want in 'FAIL .*test_integration' 'two scenes are called pyramid, of the chapters .* and bumper: give' 'the overlays .* and ways have the same bit: give' 'the modules forces and bumpers have the same bit: give'; do
@@ -77,7 +79,7 @@ everything() {
   # a plot that fails is a warning and an empty frame; the other figures are there
   mkdir -p "$out.broken/weave" "$out.broken/book/html"; cp -a "$out/weave/src" "$out.broken/weave/"; cp -a "$out"/book/html/{figures,scenes,plots} "$out.broken/book/html/"
   echo 'plot nonsense' > "$out.broken/weave/src/plots/bumper-fall.gp"; echo "$all" > "$out.broken/chapters.list"
-  PLAIN=$out tangle/figures "$out.broken/weave/src" "$out.broken" > "$out.log" 2>&1 || { cat "$out.log"; echo "a broken plot of an extender stops the book"; return 1; }
+  PROGRAMS_IN=$out tangle/figures "$out.broken/weave/src" "$out.broken" > "$out.log" 2>&1 || { cat "$out.log"; echo "a broken plot of an extender stops the book"; return 1; }
   grep -q "^$all:$(($(grep -n '^<<plots/bumper-fall.gp>>=' "$all" | cut -d: -f1) + 1)): warning: plots/bumper-fall.svg is an empty frame" "$out.log" && grep -q '<rect' "$out.broken/book/html/plots/bumper-fall.svg" || { cat "$out.log"; echo "a broken plot isn't told, or leaves no frame"; return 1; }
   # in print: the chapter alone as a PDF, with its figures
   make --no-print-directory pdf PAGE=63 EXTRA="$both" BUILD="$out" > "$out.log" 2>&1 && pdftotext -layout "$out/page/bumper.pdf" "$out.txt" || { tail -5 "$out.log"; echo "the chapter makes no PDF"; return 1; }
