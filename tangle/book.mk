@@ -61,8 +61,8 @@ $(HTML)/live.js $(HTML)/spoken.js $(HTML)/address.js $(HTML)/fingers.js: $(HTML)
 
 # -- the gallery: every scene, drawn by the program that the figures' tree makes
 $(HTML)/gallery.html: $(W)/figures.stamp tangle/gallery
-	@if $(MAKE) --no-print-directory -j2 -f tangle/programs.mk SRC=$(W)/src OUT=$(BUILD)/plain CC="$(CC)" CFLAGS="-O1" STD="$$(tangle/std)" WARN="-w" \
-	    $(BUILD)/plain/bin/weft-headless >$(BUILD)/gallery.log 2>&1; then tangle/gallery $(BUILD)/plain/bin/weft-headless $(HTML); \
+	@if $(if $(PLAIN),:,$(MAKE) --no-print-directory -j2 -f tangle/programs.mk SRC=$(W)/src OUT=$(BUILD)/plain CC="$(CC)" CFLAGS="-O1" STD="$$(tangle/std)" WARN="-w") \
+	    $(or $(PLAIN),$(BUILD)/plain)/bin/weft-headless >$(BUILD)/gallery.log 2>&1; then tangle/gallery $(or $(PLAIN),$(BUILD)/plain)/bin/weft-headless $(HTML); \
 	 else echo "book: no gallery without weft-headless -- see $(BUILD)/gallery.log"; fi
 
 # -- live figures: the tangled code as WebAssembly. Without the tools the pages keep their frozen figures.

@@ -63,7 +63,7 @@ upto:
 	@[ -n "$(CHAPTER)" ] || { echo "upto: which chapter? -- type: make upto CHAPTER=7, or CHAPTER=soft"; exit 2; }
 	@files=$$(tangle/chapters --upto $(CHAPTER)) && tangle/tangle --lines $(UPTO_DIR)/lines $$files
 	@$(MAKE) --no-print-directory -f tangle/compile.mk SRC=$(UPTO_DIR)/lines OUT=$(UPTO_DIR) \
-	   CC="$(CC)" CFLAGS="-O1" STD="$(STD)" WARN="$(WARN)" TESTS="$$(tangle/chapters --$(UPTO_TESTS) $(CHAPTER) | tr "\n" " ")" lib test
+	   CC="$(CC)" CFLAGS="-O1" TESTFLAGS=-O0 STD="$(STD)" WARN="$(WARN)" TESTS="$$(tangle/chapters --$(UPTO_TESTS) $(CHAPTER) | tr "\n" " ")" lib test
 	@CC="$(CC)" tests/examples/small.sh $(UPTO_DIR) $(CHAPTER)
 	@echo "upto: the program as it stands after chapter $(CHAPTER) compiles and passes its tests ($(UPTO_DIR))."
 upto-all:

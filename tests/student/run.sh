@@ -19,7 +19,7 @@ check() {      # the directory of the build, the arguments for make
   for t in $tests; do
     make --no-print-directory -f tangle/compile.mk SRC="$out/lines" OUT="$out" TESTS="tests/$t.c" test >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   done
-  make --no-print-directory BUILD="$out" "$@" html >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
+  make --no-print-directory BUILD="$out" "$@" html PLAIN="$out" PAGES=integration >"$out.log" 2>&1 || { tail -20 "$out.log"; return 1; }
   [ -f "$out/book/html/leapfrog.html" ] && grep -q 'Leapfrog, by a student' "$out/book/html/index.html" || { echo "the chapter is not in the book"; return 1; }
   [ -s "$out/book/html/figures/leapfrog-throw.svg" ] || { echo "the student's figure was not drawn for the book"; return 1; }
   grep -q 'leapfrog.html' "$out/book/html/integration.html" || { echo "the table's chapter does not link to the student's row"; return 1; }
@@ -74,10 +74,10 @@ everything() {
   [ -s "$out/data/bumper-fall.csv" ] || { echo "the plot's data were not measured"; return 1; }
   grep -q 'plot' "$out/book/html/bumper.html" && [ -s "$out/book/html/scenes/bumper-30.svg" ] || { echo "plot and frozen scene are not on the page"; return 1; }
   grep -q 'data-scene="bumper"' "$out/book/html/bumper.html" || { echo "the scene doesn't run on the page"; return 1; }
-  # a plot that fails is a warning and an empty frame
-  mkdir -p "$out.broken/weave"; cp -r "$out/weave/src" "$out.broken/weave/"; mkdir -p "$out.broken/plain"; cp -r "$out/plain/." "$out.broken/plain/"
+  # a plot that fails is a warning and an empty frame; the other figures are there
+  mkdir -p "$out.broken/weave" "$out.broken/book/html"; cp -a "$out/weave/src" "$out.broken/weave/"; cp -a "$out"/book/html/{figures,scenes,plots} "$out.broken/book/html/"
   echo 'plot nonsense' > "$out.broken/weave/src/plots/bumper-fall.gp"; echo "$all" > "$out.broken/chapters.list"
-  tangle/figures "$out.broken/weave/src" "$out.broken" > "$out.log" 2>&1 || { cat "$out.log"; echo "a broken plot of an extender stops the book"; return 1; }
+  PLAIN=$out tangle/figures "$out.broken/weave/src" "$out.broken" > "$out.log" 2>&1 || { cat "$out.log"; echo "a broken plot of an extender stops the book"; return 1; }
   grep -q "^$all:$(($(grep -n '^<<plots/bumper-fall.gp>>=' "$all" | cut -d: -f1) + 1)): warning: plots/bumper-fall.svg is an empty frame" "$out.log" && grep -q '<rect' "$out.broken/book/html/plots/bumper-fall.svg" || { cat "$out.log"; echo "a broken plot isn't told, or leaves no frame"; return 1; }
   # in print: the chapter alone as a PDF, with its figures
   make --no-print-directory pdf PAGE=63 EXTRA="$both" BUILD="$out" > "$out.log" 2>&1 && pdftotext -layout "$out/page/bumper.pdf" "$out.txt" || { tail -5 "$out.log"; echo "the chapter makes no PDF"; return 1; }
