@@ -29,7 +29,7 @@ help:
 	@echo "make test               the unit tests"
 	@echo "make book | html | pdf  weave: build/book/html/index.html, build/book/engine.pdf, methods.pdf, testbed.pdf, lab.pdf"
 	@echo "                        (ONLY=, WITHOUT= or FOR=: the book of that engine alone, in build/parts/)"
-	@echo "make upto CHAPTER=soft  the program as it stands after a chapter, compiled and tested (upto-all: every chapter)"
+	@echo "make upto CHAPTER=soft  the program as it stands after a chapter, compiled and tested (upto-all: every chapter, recorded)"
 	@echo "make EXTRA=my.nw TARGET with a chapter of your own that lives elsewhere"
 	@echo "make renumber           the chapters' files get the numbers of their places in book/plan.tsv"
 	@echo "make watch              tangle, build and weave again whenever a chapter is saved"
