@@ -14,7 +14,7 @@ rm -rf "$work"; mkdir -p "$work"
 cc -std=c11 -O1 -I"$build/lines/include" tests/save/killed.c "$build/lib/libweft.a" -lm -o "$work/killed" || exit 1
 last=0 torn=0
 for ((n = 0; n < kills; n++)); do
-  rm -f "$work/world.weft"                        # a fresh beginning, so that the first save is met as well
+  rm -f "$work/world.weft"; : > "$work/began"     # a fresh beginning, so that the first save is met as well; emptied here, for the program below may open it late
   "$work/killed" save "$work/world.weft" 200 2>"$work/began" & p=$!
   if ((n % 4)); then                              # once in four kills even the first save may be cut off
     for ((k = 0; k < 6000; k++)); do [ -s "$work/began" ] && break; sleep 0.01; done
