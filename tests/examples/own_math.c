@@ -9,7 +9,7 @@ int main(void)
     wfShape box, ball;
     wfMakeBox(1, 1, &box);
     wfMakeCircle(wfV2(0, 0), 1, &ball);
-    wfTransform a = wfTransformIdentity(), b = wfMakeTransform(wfV2(5, 0), 0);
+    wfTransform a = wfTransformIdentity(), b = wfMakeTransform(wfV2(1, 0), 0);
     bool overlap = true;
 
     squareRoots = 0;
@@ -22,6 +22,6 @@ int main(void)
     return 0;
 }
 /* prints:
-apart: some square roots
+together: some square roots
 and 1 for the square root of 2
 */
