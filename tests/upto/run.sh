@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The program as it stands after each chapter, in turn: it compiles and passes the tests of that chapter (those of the others have run on the
 # prefix before). All are made in one place: a file that a chapter leaves as it was is not compiled again.
-# That takes twenty minutes and hardly ever changes. So passed.csv says of each chapter with what it last passed: a sum of the tangled program, of its
-# tests and of how they are compiled. A chapter for which the sum is still the same is taken from there.
+# That takes twenty minutes, and most chapters stay as they were. So passed.csv says of each chapter with what it last passed: a sum of the tangled
+# program, its tests and the makefile that compiles them. A chapter whose sum is still the same is not run again.
 #   tests/upto/run.sh            the chapters whose sums are new
 #   tests/upto/run.sh --all      every chapter; passed.csv is written when all have passed (make upto-all)
 set -uo pipefail
