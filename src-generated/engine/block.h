@@ -19,6 +19,7 @@
 #include "weft/world_draw.h"
 #include "weft/chain.h"
 #include "weft/spring.h"
+#include "weft/joint_kinds.h"
 #include "weft/mover.h"
 
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
