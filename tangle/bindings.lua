@@ -99,7 +99,10 @@ local function field(into, before)               -- one declaration in a structu
     local name
     if words[i] ~= ";" then name = words[i]; i = i + 1 end
     i = i + 1
-    into.fields[#into.fields + 1] = { name = name, type = inner, doc = before or comment() }
+    local doc, first, same = before or comment(), inner.fields[1], inner.union and not name
+    for _, f in ipairs(inner.fields) do same = same and f.type == first.type and not f.count end
+    if same then first.doc = doc; into.fields[#into.fields + 1] = first       -- two names for one number
+    else into.fields[#into.fields + 1] = { name = name, type = inner, doc = doc } end
     return
   end
   while words[i] ~= ";" do

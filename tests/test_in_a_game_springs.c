@@ -2,7 +2,7 @@
  * with joints one by one, gives nothing back. */
 #include "testing.h"
 #include "world.h"
-#include "weft/world.h"
+#include "weft/weft.h"
 
 enum { MOST = 10 };
 
@@ -161,4 +161,46 @@ TEST(a_spring_has_its_frequency)
         assert_result(WF_ERROR_RANGE, wfDefineJoint(&w, "wheel", id[0], id[1], from, to, wfV2(0, 0), &j));
         wfDestroyWorld(&w);
     }
+}
+
+/* Each kind's own function fills in what wfDefineJoint does, to the last byte, and refuses what it refuses. Motors of hinges say torque. */
+TEST(joints_by_their_kinds)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w = world_with(&def);
+    wfBodyDef d = wfDefaultBodyDef();
+    wfBodyId a, b, gone = { 9, 9 };
+    wfVec2 o = wfV2(0, 0), p = wfV2(1, 2), q = wfV2(-3, 1), axis = wfV2(0, 2);
+    d.angle = WF_R(0.3);
+    assert_ok(wfAddBodyToWorld(&w, &d, &a));
+    d.position = wfV2(2, 0), d.angle = WF_R(-0.2);
+    assert_ok(wfAddBodyToWorld(&w, &d, &b));
+    static const char *const kinds[] = { "revolute", "weld", "distance", "prismatic", "wheel", "servo", "filter", "distance", "gear" };
+    for (int i = 0; i < 9; i++) {
+        for (int bad = 1; bad >= 0; bad--) {
+            wfBodyId other = bad ? gone : b;
+            wfJoint got, want;
+            memset(&got, 0, sizeof got), memset(&want, 0, sizeof want);
+            wfResult result = i == 0 ? wfDefineRevoluteJoint(&w, a, other, p, &got) : i == 1 ? wfDefineWeldJoint(&w, a, other, p, &got)
+                            : i == 2 ? wfDefineDistanceJoint(&w, a, other, p, q, &got) : i == 3 ? wfDefinePrismaticJoint(&w, a, other, p, axis, &got)
+                            : i == 4 ? wfDefineWheelJoint(&w, a, other, p, axis, &got) : i == 5 ? wfDefineMotorJoint(&w, a, other, p, &got)
+                            : i == 6 ? wfDefineFilterJoint(&w, a, other, &got) : i == 7 ? wfDefineRopeJoint(&w, a, other, p, q, 7, &got)
+                            : wfDefineGearJoint(&w, a, other, -2, &got);
+            assert_result(bad ? WF_ERROR_STALE_ID : WF_OK, result);
+            if (bad) continue;
+            wfVec2 one = i == 6 || i == 8 ? o : p;
+            assert_ok(wfDefineJoint(&w, kinds[i], a, b, one, i == 2 || i == 7 ? q : one, i == 3 || i == 4 ? axis : o, &want));
+            const wfBodyState *state = wfWorldBodies(&w).state;
+            if (i == 7) want.flags = WF_JOINT_LIMITS, want.upper = 7;
+            if (i == 8) wfSetRatio(&want, &state[want.a], &state[want.b], -2);
+            assert_memory_equal(&got, &want, sizeof got);
+            assert_ok(wfAddJointToWorld(&w, &got, NULL));
+        }
+    }
+    wfJoint hinge;
+    assert_ok(wfDefineRevoluteJoint(&w, a, b, p, &hinge));
+    hinge.motorTorque = 5;
+    assert_true(hinge.motorForce == 5);
+    assert_ok(wfStepWorld(&w));
+    wfDestroyWorld(&w);
 }

@@ -175,7 +175,7 @@ TEST(every_argument_of_a_body)
     expect(&w, WF_ERROR_RANGE, wfChangeBodyType(&w, b, 3), "wfChangeBodyType: type: WF_STATIC, _KINEMATIC or _DYNAMIC");
     expect(&w, WF_ERROR_RANGE, wfSetBodyMaterial(&w, b, WF_R(1.5), 0), "wfSetBodyMaterial: restitution is 1.5, must be >= 0 and <= 1");
     expect(&w, WF_ERROR_RANGE, wfSetBodyDamping(&w, b, 0, WF_R(-0.3)), "wfSetBodyDamping: angular is -0.3, must be >= 0");
-    expect(&w, WF_ERROR_NOT_FINITE, wfApplyForceToBody(&w, b, wfV2(nan, 0), wfV2(0, 0)), "wfApplyForceToBody: force: a number is NaN or infinite: look for a division by zero before the call");
+    expect(&w, WF_ERROR_NOT_FINITE, wfApplyForceToBody(&w, b, wfV2(nan, 0), wfV2(0, 0)), "wfApplyForceToBody: force or point: a number is NaN or infinite: look for a division by zero before the call");
     expect(&w, WF_ERROR_NOT_FINITE, wfApplyImpulseToBody(&w, b, wfV2(0, 0), wfV2(nan, 0)), "wfApplyImpulseToBody: point.x is not a number, must be finite");
     expect(&w, WF_ERROR_NOT_FINITE, wfApplyAngularImpulseToBody(&w, b, nan), "wfApplyAngularImpulseToBody: impulse is not a number, must be finite");
     expect(&w, WF_ERROR_STALE_ID, wfSetBodyDamping(&w, gone, 0, 0), "wfSetBodyDamping: id: an id names something that was removed or never existed");
@@ -210,13 +210,13 @@ TEST(calls_that_move_a_world)
     assert_ok(wfSnapshotWorld(&large, bytes, size, &size));
     add(&w, ball_def(0, 0, 1));
     void *before = copy_of(&w);
-    expect(&w, WF_ERROR_FULL, wfRestoreWorld(&w, bytes, size), "wfRestoreWorld: bytes: no room is left: create the world or pool with more of it");
+    expect(&w, WF_ERROR_FULL, wfRestoreWorld(&w, bytes, size), "wfRestoreWorld: bytes: they hold more than this world has room for: wfGrowWorld");
     expect(&w, WF_ERROR_NULL, wfRestoreWorld(&w, NULL, size), "wfRestoreWorld: bytes: a pointer is NULL: pass the address of a structure");
     assert_result(WF_ERROR_TRUNCATED, wfRestoreWorld(&w, bytes, size / 2));
     assert_int_equal(wfLastFault(&w)->result, WF_ERROR_TRUNCATED);
     assert_ok(wfGetWorldDef(&w, &def));
     def.bodyCapacity = 1;
-    expect(&w, WF_ERROR_FULL, wfGrowWorld(&w, &def), "wfGrowWorld: room: no room is left: create the world or pool with more of it");
+    expect(&w, WF_ERROR_FULL, wfGrowWorld(&w, &def), "wfGrowWorld: room: it is less than what the world holds: raise its capacities");
     def.timeStep = -1;
     expect(&w, WF_ERROR_RANGE, wfGrowWorld(&w, &def), "wfGrowWorld: timeStep is -1, must be > 0");
     expect(&w, WF_ERROR_NULL, wfGrowWorld(&w, NULL), "wfGrowWorld: def: a pointer is NULL: pass the address of a structure");
@@ -227,6 +227,36 @@ TEST(calls_that_move_a_world)
     assert_unchanged(&w, before);
     free(bytes);
     wfDestroyWorld(&w), wfDestroyWorld(&large);
+}
+
+/* Calls that refuse before they open a world: the last fault is theirs, and not the one before. */
+TEST(calls_that_refuse_by_themselves)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w = world_with(&def);
+    wfBodyId b = add(&w, ball_def(0, 0, 1));
+    wfAccuracy chosen = { .method = 0, .frame = WF_R(0.01) };
+    _Alignas(WF_POOL_ALIGN) uint8_t bytes[256];
+    wfJournal full = { .bytes = NULL };
+    wfReplay replay = { .left = 0 };
+    wfRewind ring;
+    wfInput input = { .kind = -1 };
+    void *before = copy_of(&w);
+    assert_result(WF_ERROR_RANGE, wfSetBodyMass(&w, b, -1));
+    expect(&w, WF_ERROR_RANGE, wfUseSettings(&w, &chosen), "wfUseSettings: chosen: take what wfChooseSettings or wfSetTolerance gave");
+    expect(&w, WF_ERROR_NULL, wfStepFrame(&w, NULL), "wfStepFrame: chosen: take what wfChooseSettings or wfSetTolerance gave");
+    expect(&w, WF_ERROR_RANGE, wfSetTolerance(&w, WF_R(0.01), 0, &chosen), "wfSetTolerance: tolerance: it must be above 0");
+    expect(&w, WF_ERROR_RANGE, wfSetTolerance(&w, -1, WF_R(0.1), &chosen), "wfSetTolerance: frame: it must be above 0");
+    expect(&w, WF_ERROR_NULL, wfSetTolerance(&w, 1, WF_R(0.1), NULL), "wfSetTolerance: out: a pointer is NULL: pass the address of a structure");
+    expect(&w, WF_ERROR_UNKNOWN, wfGiveInput(&w, NULL, &input, NULL), "wfGiveInput: input->kind: it is one of WF_INPUT_...");
+    expect(&w, WF_ERROR_NULL, wfGiveInput(&w, NULL, NULL, NULL), "wfGiveInput: input: a pointer is NULL: pass the address of a structure");
+    expect(&w, WF_ERROR_NULL, wfStepNoted(&w, NULL, NULL), "wfStepNoted: journal: a pointer is NULL: pass the address of a structure");
+    expect(&w, WF_ERROR_FULL, wfStepNoted(&w, &full, NULL), "wfStepNoted: journal: give it more bytes");
+    expect(&w, WF_ERROR_NULL, wfReplayStep(&replay, &w, NULL, NULL), "wfReplayStep: stepped: a pointer is NULL: pass the address of a structure");
+    assert_ok(wfRewindInit(&ring, bytes, sizeof bytes));
+    expect(&w, WF_ERROR_UNKNOWN, wfRewindTo(&ring, &w, 0), "wfRewindTo: step: nothing so old is kept: wfRewindReach tells what is");
+    assert_unchanged(&w, before);
+    wfDestroyWorld(&w);
 }
 
 /* ---- settings -------------------------------------------------------------------------------------------------------------------- */
@@ -257,7 +287,9 @@ TEST(every_setting)
             assert_string_equal(at[1]->call, "wfSetWorldDef");
             for (int m = 0; m < 2; m++) {
                 assert_int_equal(at[m]->result, made);
-                assert_string_equal(at[m]->field, s->name);
+                char name[48];
+                snprintf(name, sizeof name, "%s%s", s->name, s->kind == WF_SETTING_VEC2 ? ".y" : "");
+                assert_string_equal(at[m]->field, name);
                 assert_true(isnan(wrong[k]) ? isnan(at[m]->value) : at[m]->value == wrong[k]);
                 assert_ok(wfPutSetting(&d, s, part, at[m]->least));
             }
@@ -344,9 +376,13 @@ TEST(rules_of_two_fields)
     bad = j, bad.axis = wfV2(2, 0);
     expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.axis: it must have the length 1");
     bad = j, bad.kind = 99;
-    expect(&w, WF_ERROR_UNKNOWN, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.kind: a table has no such row: look it up with its wfFind function");
+    expect(&w, WF_ERROR_UNKNOWN, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.kind: wfFindJoint tells it");
     bad = j, bad.ratio = 0;
     expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.ratio: it must not be 0");
+    bad = j, bad.kind = wfFindJoint("ratchet"), bad.ratio = -1;
+    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.ratio: a ratchet's tooth is above 0");
+    bad = j, bad.a = -1;
+    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.a is -1, must be >= 0");
     bad = j, bad.b = 77;
     expect(&w, WF_ERROR_STALE_ID, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.b: an id names something that was removed or never existed");
     wfShapeDef three[3] = { wfDefaultShapeDef(), wfDefaultShapeDef(), wfDefaultShapeDef() };
@@ -355,6 +391,10 @@ TEST(rules_of_two_fields)
     expect(&w, WF_ERROR_RANGE, wfAddShapesToBody(&w, a, three, 3, NULL), "wfAddShapesToBody: defs[2].friction is -0.3, must be >= 0");
     three[2] = wfDefaultShapeDef();
     expect(&w, WF_ERROR_RANGE, wfAddShapesToBody(&w, a, three, 3, NULL), "wfAddShapesToBody: defs[2].shape: make one: wfMakeBox, wfMakeCircle and others");
+    wfVec2 one[1] = { o };
+    wfBodyId ground = add(&w, floor_def());
+    expect(&w, WF_ERROR_TOO_FEW, wfAddChainToBody(&w, ground, one, 1, false, &three[0], NULL), "wfAddChainToBody: n: a chain has 2 points or more");
+    expect(&w, WF_ERROR_TOO_FEW, wfAddChainToBody(&w, ground, one, 1, true, &three[0], NULL), "wfAddChainToBody: n: a loop has 3 points or more");
     /* a step that cannot be finished names the body */
     assert_ok(wfSetBodyVelocity(&w, b, wfV2(WF_HUGE, 0), 0));
     assert_ok(wfSetBodyTransform(&w, b, wfV2(WF_HUGE, 0), 0));

@@ -414,8 +414,9 @@ static void take_marks(const wfWorld *from, wfWorld *to)
     for (int32_t i = 0; i < b.count; i++)
         wfSetBodySubsteps(to, wfBodyAt(to, i), b.props[i].substeps);
 }
-
 /* use what was chosen */
+#define CHOSEN "take what wfChooseSettings or wfSetTolerance gave"
+
 static wfResult check_chosen(const wfAccuracy *chosen)
 {
     if (chosen == NULL) return WF_ERROR_NULL;
@@ -429,7 +430,7 @@ static wfResult check_chosen(const wfAccuracy *chosen)
 wfResult wfUseSettings(wfWorld *world, const wfAccuracy *chosen)
 {
     wfResult result = check_chosen(chosen);
-    if (result != WF_OK) return result;
+    if (result != WF_OK) return wfRefuseCall(world, result, "chosen", CHOSEN);
     result = give_method(world, chosen->method, chosen->steps, chosen->frame);
     if (result == WF_OK) take_marks_off(world);
     return result;
@@ -438,7 +439,8 @@ wfResult wfUseSettings(wfWorld *world, const wfAccuracy *chosen)
 wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen)
 {
     wfResult result = check_chosen(chosen);
-    return result == WF_OK ? make_steps(world, chosen->steps) : result;
+    if (result != WF_OK) return wfRefuseCall(world, result, "chosen", CHOSEN);
+    return make_steps(world, chosen->steps);
 }
 
 /* The frames of a second, one at least and 1000 at most. */
@@ -461,7 +463,10 @@ wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccura
         result = wfMeasureCurve(world, &how, points, WF_CURVE_POINTS, &count);
     if (result == WF_OK) result = wfChooseSettings(points, count, tolerance, &chosen);
     if (result == WF_OK) result = open_trial(&t, world, &how);
-    if (result != WF_OK) return result;
+    if (result != WF_OK)
+        return wfRefuseCall(world, result, out == NULL ? "out"
+                            : frame > 0 && frame < WF_HUGE ? "tolerance" : "frame",
+                            result == WF_ERROR_RANGE ? "it must be above 0" : NULL);
     relax(&t, tolerance, &chosen);
     result = wfUseSettings(world, &chosen);
     if (result == WF_OK && chosen.relaxed > 0) take_marks(&t.coarse, world);

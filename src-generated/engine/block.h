@@ -19,6 +19,7 @@
 #include "weft/world_draw.h"
 #include "weft/chain.h"
 #include "weft/spring.h"
+#include "weft/joint_kinds.h"
 #include "weft/mover.h"
 
 /* How much of the lists of a step is handed on, untouched, from one step to the next: so
@@ -232,6 +233,21 @@ static inline wfResult wfRefuse(const wfBlock *b, wfResult result, const char *f
 {
     return wfRefuseOne(b, result, field, 0, mend);
 }
+/* The same for a call that has no block of its own. */
+static inline wfResult wfRefuseCallAs(const char *call, wfWorld *world, wfResult result,
+                                      const char *field, const char *mend)
+{
+    (void)call, (void)world, (void)field, (void)mend;
+    /* note what a call without a block refuses */
+    wfBlock b = { .fault = world != NULL ? &world->fault : NULL };
+    if (b.fault != NULL && result != WF_OK && result != WF_ERROR_BUSY) {
+        *b.fault = (wfCallFault){ .call = call };
+        wfNoteFault(&b, result, "", 0, field, NULL, 0, mend);
+    }
+    return result;
+}
+#define wfRefuseCall(world, result, field, mend) \
+    wfRefuseCallAs(WF_CALL, world, result, field, mend)
 /* Are the numbers of a structure what they may be? Their names begin with `of`. */
 wfResult wfCheckFields(const wfBlock *b, const char *of, int32_t element,
                        const void *structure, const wfNumber *numbers, int count);

@@ -412,7 +412,7 @@ wfResult wfApplyForceToBody(wfWorld *world, wfBodyId id, wfVec2 force, wfVec2 po
     wfBodyForces sums = b.applied[i];
     wfApplyForce(&sums, &b.state[i], force, point);
     if (!wfIsFinite2(sums.force) || !wfIsFinite(sums.torque))
-        return wfRefuse(&b, WF_ERROR_NOT_FINITE, "force", NULL);
+        return wfRefuse(&b, WF_ERROR_NOT_FINITE, "force or point", NULL);
     b.applied[i] = sums;
     wfUse(&b, WF_MODULE_PUSHES);
     if (force.x != 0 || force.y != 0) wfBodyChanged(&b, i);

@@ -43,7 +43,8 @@ wfResult wfRefuseSetting(const wfBlock *b, wfResult result, const wfSetting *s,
     wfNumber range = { .least = s->above ? WF_TINY : (wfReal)s->least, .most = (wfReal)most };
     bool ranged = result == WF_ERROR_RANGE || result == WF_ERROR_NOT_FINITE
                || (result == WF_ERROR_UNKNOWN && s->kind != WF_SETTING_SET);
-    wfNoteFault(b, result, "", 0, s->name, ranged ? &range : NULL,
+    const char *which = wfSettingParts(s) < 2 ? "" : part == 0 ? ".x" : ".y";
+    wfNoteFault(b, result, s->name, 0, which, ranged ? &range : NULL,
                 wfSettingValue(def, s, part), NULL);
     return result;
 }
@@ -118,7 +119,8 @@ static void put_name(Line *l, const char *name, int32_t element)
 
 static void put_range(Line *l, const wfNumber *n)
 {
-    bool low = n->least > -WF_HUGE, high = n->most < WF_HUGE;
+    bool low = n->least > -WF_HUGE;
+    bool high = n->most < (n->whole ? (wfReal)INT32_MAX : WF_HUGE);
     put(l, ", must be ");
     if (!low && !high) put(l, "finite");
     if (low && n->least == WF_TINY) put(l, "> 0");
@@ -145,7 +147,7 @@ void wfNoteFault(const wfBlock *b, wfResult result, const char *of, int32_t elem
     put(&text, f->field);
     if (number != NULL) put(&text, " is "), put_number(&text, value);
     if (number != NULL) put_range(&text, number);
-    if (number == NULL && *field != 0) put(&text, ": ");
+    if (number == NULL && f->field[0] != 0) put(&text, ": ");
     if (number != NULL && mend != NULL) put(&text, ": ");
     if (number == NULL || mend != NULL)
         put(&text, mend != NULL ? mend : wfResultText(result));

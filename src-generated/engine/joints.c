@@ -36,11 +36,14 @@ static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
     if (result == WF_OK && j->lower > j->upper)
         return wfRefuse(b, WF_ERROR_RANGE, "joint.lower", "it is above joint.upper");
     if (result == WF_OK && (j->kind < 0 || j->kind >= wfJointKinds))
-        return wfRefuse(b, WF_ERROR_UNKNOWN, "joint.kind", NULL);
+        return wfRefuse(b, WF_ERROR_UNKNOWN, "joint.kind", "wfFindJoint tells it");
     if (result == WF_OK && j->ratio == 0)
         return wfRefuse(b, WF_ERROR_RANGE, "joint.ratio", "it must not be 0");
+    bool tooth = result == WF_OK && j->ratio < 0 && wfJointTable[j->kind].track != NULL;
     if (result == WF_OK)
-        result = wfRefuse(b, wfCheckJoint(j), "joint.axis", "it must have the length 1");
+        result = wfRefuse(b, wfCheckJoint(j), tooth ? "joint.ratio" : "joint.axis",
+                          tooth ? "a ratchet's tooth is above 0"
+                                : "it must have the length 1");
     if (result != WF_OK) return result;
     int32_t high = b->head->bodySlots.high;
     bool first = j->a >= high || !b->alive[j->a];

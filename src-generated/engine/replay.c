@@ -240,10 +240,14 @@ wfResult wfGiveInput(wfWorld *world, wfJournal *journal, const wfInput *input,
                      wfInputId *made)
 {
     wfInputId id = { 0, 0 };
-    if (world == NULL || input == NULL) return WF_ERROR_NULL;
-    if (input->kind < 0 || input->kind >= WF_INPUT_KINDS) return WF_ERROR_UNKNOWN;
+    if (world == NULL || input == NULL)
+        return wfRefuseCall(world, WF_ERROR_NULL, "input", NULL);
+    if (input->kind < 0 || input->kind >= WF_INPUT_KINDS)
+        return wfRefuseCall(world, WF_ERROR_UNKNOWN, "input->kind",
+                            "it is one of WF_INPUT_...");
     size_t size = input_table[input->kind].size;
-    if (journal != NULL && !has_room(journal, entry_size(size))) return WF_ERROR_FULL;
+    if (journal != NULL && !has_room(journal, entry_size(size)))
+        return wfRefuseCall(world, WF_ERROR_FULL, "journal", "give it more bytes");
     uint64_t before = first_hash(journal, world);
     wfResult result = give(world, input, &id);
     if (result != WF_OK) return result;
@@ -277,8 +281,10 @@ static void note_step(wfJournal *j, const wfWorld *world)
 wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfCallbacks *hooks)
 {
     size_t need = 2 * entry_size(8);
-    if (journal == NULL || world == NULL) return WF_ERROR_NULL;
-    if (!has_room(journal, need)) return WF_ERROR_FULL;
+    if (journal == NULL || world == NULL)
+        return wfRefuseCall(world, WF_ERROR_NULL, "journal", NULL);
+    if (!has_room(journal, need))
+        return wfRefuseCall(world, WF_ERROR_FULL, "journal", "give it more bytes");
     uint64_t before = first_hash(journal, world);
     wfResult result = wfStepWorldWithCallbacks(world, hooks);
     if (result != WF_OK) return result;
@@ -331,11 +337,15 @@ wfResult wfReplayStep(wfReplay *r, wfWorld *world, const wfCallbacks *hooks,
 {
     Entry e;
     const uint8_t *bytes;
-    if (r == NULL || r->journal == NULL || stepped == NULL) return WF_ERROR_NULL;
+    if (r == NULL || r->journal == NULL || stepped == NULL)
+        return wfRefuseCall(world, WF_ERROR_NULL, stepped == NULL ? "stepped" : "replay",
+                            NULL);
     *stepped = 0;
     while (r->left == 0) {
         if (r->at == r->journal->used) return WF_OK;
-        if (!next_entry(r, &e, &bytes)) return WF_ERROR_INVALID;
+        if (!next_entry(r, &e, &bytes))
+            return wfRefuseCall(world, WF_ERROR_INVALID, "replay->journal",
+                                "its bytes are damaged: take another copy");
         wfResult result = WF_OK;
         if (e.kind == ENTRY_STEPS) r->left = e.index;
         else result = give_entry(world, &e, bytes);

@@ -507,7 +507,9 @@ wfResult wfAddChainToBody(wfWorld *world, wfBodyId body, const wfVec2 *points, i
     if (b.props[i].type == WF_DYNAMIC)
         return wfRefuse(&b, WF_ERROR_RANGE, "body",
                         "it is dynamic, and links weigh nothing");
-    if (links < (loop ? 3 : 1)) return wfRefuse(&b, WF_ERROR_TOO_FEW, "n", NULL);
+    if (links < (loop ? 3 : 1))
+        return wfRefuse(&b, WF_ERROR_TOO_FEW, "n", loop ? "a loop has 3 points or more"
+                                                        : "a chain has 2 points or more");
     wfShapeDef d = *like;
     uint32_t modules = WF_MODULE_SHAPES | WF_MODULE_COMPOUNDS;
     for (int32_t k = 0; k < links && result == WF_OK; k++) {

@@ -39,7 +39,8 @@ wfResult wfRestoreWorld(wfWorld *world, const void *bytes, size_t size)
     if (result == WF_OK && bytes == NULL) result = WF_ERROR_NULL;
     if (result == WF_OK) result = wfReadImage((const uint8_t *)bytes, size, &image);
     if (result == WF_OK) result = wfTakeImage(&b, &image);
-    return wfRefuse(&b, result, "bytes", NULL);
+    return wfRefuse(&b, result, "bytes", result != WF_ERROR_FULL ? NULL
+                    : "they hold more than this world has room for: wfGrowWorld");
 }
 
 wfResult wfCloneWorld(const wfWorld *world, const wfMemory *memory, wfWorld *out)
@@ -238,7 +239,9 @@ wfResult wfGrowWorld(wfWorld *world, const wfWorldDef *room)
     wfWorldDef def = with_room(b.head, room);
     result = wfImageOfBlock(&b, &image);
     if (result == WF_OK) result = wfWorldOfImage(&image, &def, &made);
-    if (result != WF_OK) return wfRefuse(&b, result, "room", NULL);
+    if (result != WF_OK)
+        return wfRefuse(&b, result, "room", result != WF_ERROR_FULL ? NULL
+                        : "it is less than what the world holds: raise its capacities");
     wfDestroyWorld(world);
     world->memory = made.memory;
     return WF_OK;
@@ -307,13 +310,16 @@ wfResult wfRewindKeep(wfRewind *ring, const wfWorld *world)
 
 wfResult wfRewindTo(wfRewind *ring, wfWorld *world, uint64_t step)
 {
-    if (ring == NULL || ring->bytes == NULL) return WF_ERROR_NULL;
+    if (ring == NULL || ring->bytes == NULL)
+        return wfRefuseCall(world, WF_ERROR_NULL, "ring", NULL);
     wfRewind r = *ring;
     while (r.count > 0 && kept_at(&r, r.newest)->step > step) {
         r.newest = kept_at(&r, r.newest)->before;
         r.count--;
     }
-    if (r.count == 0) return WF_ERROR_UNKNOWN;
+    if (r.count == 0)
+        return wfRefuseCall(world, WF_ERROR_UNKNOWN, "step",
+                            "nothing so old is kept: wfRewindReach tells what is");
     const Kept *k = kept_at(&r, r.newest);
     wfResult result = wfRestoreWorld(world, r.bytes + r.newest + KEPT, k->size);
     if (result == WF_OK) *ring = r;

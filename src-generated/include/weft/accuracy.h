@@ -18,6 +18,7 @@
 #include "weft/world_draw.h"
 #include "weft/chain.h"
 #include "weft/spring.h"
+#include "weft/joint_kinds.h"
 #include "weft/mover.h"
 WF_BEGIN_C
 

@@ -55,7 +55,7 @@ typedef struct wfJoint {
     wfReal stiffness, damping;  /* SPRING: N/m, N s/m, or N m/rad, N m s/rad; >= 0 */
     wfReal springForce;         /* SPRING: greatest force, N or N m; 0: no bound */
     wfReal motorSpeed;          /* MOTOR: m/s or rad/s */
-    wfReal motorForce;          /* MOTOR: greatest force or torque, N or N m, >= 0 */
+    union { wfReal motorForce, motorTorque; };  /* MOTOR: the greatest, N or N m; >= 0 */
     wfReal breakForce, breakTorque;     /* N, N m: beyond these it breaks; 0: never */
     wfReal turnA, turnB;        /* rad: how far the bodies have turned, whole turns too */
     wfReal impulse[WF_JOINT_ROWS];      /* N s or N m s of each row in the last substep */

@@ -17,6 +17,7 @@
 #include "weft/world_draw.h"
 #include "weft/chain.h"
 #include "weft/spring.h"
+#include "weft/joint_kinds.h"
 #include "weft/mover.h"
 #include "weft/save.h"
 #include "weft/accuracy.h"
