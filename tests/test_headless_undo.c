@@ -364,7 +364,7 @@ TEST(the_present_is_there_again_after_a_look_back)
         if (change == 1) play_run(&p, "steps 0\nkey undo\nframe\n");
         taken_back(&p, work, change ? "a change made back in time" : "a look back");
         assert_int_equal((int)play_fact(&p, "steps", 0), step);
-        hash_after(&p, 3);
+        work = hash_after(&p, 3);
         play_run(&p, "steps 0\nkey undo\nframe\n");
         if (hash_of(&p) != expected(NULL, 20, 0)) fail_msg("Undo does not go on to the change before");
         play_run(&p, "steps 0\nkey redo\nframe\n");
@@ -403,5 +403,156 @@ TEST(a_body_is_moved_while_time_stands_still)
     taken_back(&p, before, "a body moved");
     spot(&p, 6, to);
     assert_near(to[0], from[0], 0.01);
+    play_end(&p);
+}
+
+/* ---- The table of edits, runs, undo, redo and the bar: a world is found again as it was left. ------------------------------------- */
+static uint64_t now(play *p, const char *script)
+{
+    play_run(p, script);
+    return hash_of(p);
+}
+static uint64_t undo(play *p) { return now(p, "steps 0\nkey undo\nframe\n"); }
+static uint64_t redo(play *p) { return now(p, "steps 0\nkey redo\nframe\n"); }
+static uint64_t bar(play *p, int often)
+{
+    go_back(p, often);
+    return hash_of(p);
+}
+static void same(uint64_t got, uint64_t want, const char *what)
+{
+    if (got != want) fail_msg("%s: this is not the world that was left", what);
+}
+static bool nothing_to(play *p, const char *what)
+{
+    char key[60], said[60];
+    snprintf(key, sizeof key, "steps 0\nkey %s\nframe\n", what);
+    snprintf(said, sizeof said, "said there is nothing to %s", what);
+    uint64_t before = hash_of(p);
+    play_run(p, key);
+    assert_true(hash_of(p) == before);
+    return play_says(p, said);
+}
+
+TEST(time_that_ran_on_takes_nothing_from_redo)
+{
+    for (int run = 0; run < 2; run++) {                                             /* by steps, and with time running */
+        play p;
+        begin_plain(&p, 20);
+        uint64_t plain = hash_of(&p);
+        place(&p);
+        uint64_t edited = run ? now(&p, "steps 1\nkey p\nwait 7\nkey p\nsteps 0\nframe\n") : hash_after(&p, 7);
+        same(undo(&p), plain, "edit, run, undo");
+        uint64_t ran = run ? now(&p, "steps 1\nkey p\nwait 9\nkey p\nsteps 0\nframe\n") : hash_after(&p, 9);
+        assert_true(ran != plain && nothing_to(&p, "undo"));
+        same(redo(&p), edited, "undo, run, redo");
+        assert_true(nothing_to(&p, "redo"));
+        same(undo(&p), ran, "undo, run, redo, undo");
+        same(redo(&p), edited, "undo, run, redo, undo, redo");
+        uint64_t later = hash_after(&p, 5);
+        same(undo(&p), ran, "redo, run, undo");
+        same(redo(&p), later, "redo, run, undo, redo");
+        undo(&p);
+        pin(&p);                                                                    /* a new change: redo is gone */
+        uint64_t pinned = hash_after(&p, 3);
+        assert_true(nothing_to(&p, "redo"));
+        same(undo(&p), ran, "undo, edit, undo");
+        same(redo(&p), pinned, "undo, edit, undo, redo");
+        play_end(&p);
+    }
+}
+
+TEST(several_changes_are_each_found_as_they_were_left)
+{
+    enum { MOST = 4 };
+    play p;
+    uint64_t left[MOST + 1];
+    begin_plain(&p, 20);
+    for (int i = 0; i <= MOST; i++) {
+        if (i > 0) place(&p);
+        left[i] = i < MOST ? hash_of(&p) : hash_after(&p, 4);
+    }
+    for (int i = MOST; i-- > 0; ) {                                                 /* all back, and time runs on in each */
+        same(undo(&p), left[i], "undo");
+        left[i] = hash_after(&p, 2 + i);
+    }
+    for (int round = 0; round < 2; round++) {
+        for (int i = 1; i <= MOST; i++) same(redo(&p), left[i], "redo");
+        for (int i = MOST; i-- > 0; ) same(undo(&p), left[i], "undo again");
+    }
+    play_end(&p);
+}
+
+TEST(a_refused_change_takes_nothing_from_redo)
+{
+    play p;
+    begin_plain(&p, 20);
+    place(&p);
+    uint64_t edited = hash_after(&p, 3);
+    undo(&p);
+    press_at_body(&p, "g", 6, 0, 0);                                                /* a click that changes nothing */
+    drag(&p, "x", 900, 160, 0, 0);
+    press_at_body(&p, "g", 6, 0, 0);
+    play_run(&p, "steps 0\nkey s\nframe\nframe\n");
+    play_click(&p, "Body");
+    play_choose(&p, "body type", "dynamic");                                        /* what it is already */
+    play_run(&p, "steps 0\nkey s\nframe\n");
+    same(redo(&p), edited, "undo, no change, redo");
+    play_end(&p);
+}
+
+TEST(the_bar_takes_nothing_from_redo)
+{
+    for (int on = 0; on < 2; on++) for (int changed = 0; changed < 2; changed++) {  /* a look back; time runs on from there */
+        play p;
+        begin_plain(&p, 20);
+        if (changed) pin(&p), hash_after(&p, 10);
+        uint64_t first = hash_of(&p);
+        place(&p);
+        uint64_t edited = hash_after(&p, 20);
+        same(undo(&p), first, "undo");
+        uint64_t present = hash_after(&p, 20), back = bar(&p, 2);
+        if (on) back = hash_after(&p, 2);
+        same(redo(&p), edited, "undo, run, bar, redo");
+        same(undo(&p), back, "and undo");
+        if (changed) same(undo(&p), present, "and to the present");
+        else assert_true(nothing_to(&p, "undo"));
+        if (changed) same(redo(&p), back, "and to where the bar was");
+        bar(&p, 3);
+        pin(&p);                                                                    /* a change there */
+        assert_true(nothing_to(&p, "redo"));
+        play_end(&p);
+    }
+}
+
+TEST(undo_after_the_bar_in_an_edited_world)
+{
+    play p;
+    begin_plain(&p, 20);
+    uint64_t plain = hash_of(&p);
+    place(&p);
+    uint64_t present = hash_after(&p, 20), back = bar(&p, 2);
+    same(undo(&p), present, "edit, run, bar, undo");
+    same(undo(&p), plain, "edit, run, bar, undo, undo");
+    same(redo(&p), present, "redo");
+    same(redo(&p), back, "redo, redo");
+    assert_true(nothing_to(&p, "redo"));
+    play_end(&p);
+}
+
+TEST(a_change_after_undo_under_one_press_is_a_change)
+{
+    play p;
+    char script[300];
+    begin_plain(&p, 5);
+    play_run(&p, "steps 0\nkey s\nframe\nframe\n");
+    play_click(&p, "World");
+    double x = play_fact(&p, "widget gravity.y pixel", 0), y = play_fact(&p, "widget gravity.y pixel", 1);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nkey undo\nframe\nmove %g %g\nframe\nup left\nframe\n",
+             x, y, x + 40, y, x + 80, y);
+    play_run(&p, script);
+    undo(&p);
+    assert_true(play_says(&p, "said taken back"));
+    assert_true(hash_after(&p, 6) == expected(NULL, 5, 6));
     play_end(&p);
 }

@@ -180,7 +180,7 @@ static const button_row button_table[] = {
     { "Step", NULL, 'o', 0, press_step, "one step" },
     { "Reset", NULL, 'r', 0, press_reset, "the scene from its beginning" },
     { "Undo", NULL, GAME_KEY_UNDO, 0, game_undo, "take the last change back" },
-    { "Redo", NULL, GAME_KEY_REDO, 0, game_redo, "make the change that was taken back" },
+    { "Redo", NULL, GAME_KEY_REDO, 0, game_redo, "what was taken back, as you left it" },
     { "Previous", NULL, '[', 0, press_previous, "the scene before this one" },
     { "Next", NULL, ']', 0, press_next, "the next scene" },
     { "Home", NULL, 'h', 0, game_look_home, "look at the whole scene" },

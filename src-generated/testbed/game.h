@@ -32,8 +32,8 @@ enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
 enum { UNDO_BYTES = 8 * 1024 * 1024, UNDO_MOST = 64 };
-/* Where a moment lies in the bytes of undo, how long it is, the step up to which what came
- * after has the same past, its scene. */
+/* Where a moment lies in the bytes of undo, how long it is, the step up to which the next
+ * one has the same past, its scene. */
 typedef struct undo_moment { size_t at, size; uint64_t step; int32_t row; } undo_moment;
 enum { STAGES = 64 };               /* of a step, at most, that are timed */
 enum { OTHERS = 3, OTHER_BYTES = 4 * 1024 * 1024 };
@@ -110,8 +110,8 @@ typedef struct game_state {
     int32_t back;                       /* 1: the world was taken back, and stands there */
     int32_t ring_due;                   /* 1: the next step begins with a snapshot */
     double rate;                        /* of time: 1 is as on the wall; 0: not set yet */
-    undo_moment undo[UNDO_MOST];        /* worlds before a change, and the one that undo left */
-    int32_t undo_at, undo_count;        /* the world stands before undo[undo_at]; how many */
+    undo_moment undo[UNDO_MOST];        /* worlds before a change, and those that undo left */
+    int32_t undo_at, undo_count;        /* the world is undo[undo_at], or new; how many */
     int32_t editing;                    /* 1: a change began in this frame; 2: and goes on */
     uint64_t sought;                    /* bit of a kind of input: the task is about these */
     int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
@@ -193,8 +193,11 @@ void game_end_edit(game *g);
 void game_undo(game *g);
 void game_redo(game *g);
 enum { WISHES = sizeof((game_state *)0)->changed + sizeof((game_state *)0)->wanted };
-/* Keeps the world behind undo's other moments; false when it doesn't fit at all. */
+/* Keeps the world as a moment before where undo stands; as the one where it stands, without
+ * dropping this many before it. False: it doesn't fit. Drops the one before. */
 bool game_keep_world(game *g);
+bool game_leave_world(game *g, int32_t spared);
+void game_drop_moment(game *g);
 bool game_was_changed(const game_state *s);             /* this scene, by its user */
 /* Another world takes the place of this: keeps it if it was changed, or in any case, and
  * returns how many moments there are then. */

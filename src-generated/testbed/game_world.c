@@ -230,9 +230,9 @@ void game_go_back(game *g, uint64_t before)
 {
     wfRewind copy = g->ring;
     game_state *s = g->state;
-    bool all = s->undo_at == s->undo_count && game_was_changed(s) && !g->scene->alias;
     if (before == 0) return;
-    if (!s->back && all && game_keep_world(g)) s->undo_at = s->undo_count;
+    if (!s->back && game_was_changed(s) && !g->scene->alias && game_keep_world(g))
+        s->undo_at++;
     if (wfRewindTo(&copy, &g->world, before - 1) != WF_OK) return;
     s->back = s->paused = 1;
     s->result = WF_OK;
@@ -265,10 +265,10 @@ void game_stay_there(game *g)
 {
     game_state *s = g->state;
     uint64_t now = wfWorldSteps(&g->world);
-    undo_moment *last = &s->undo[s->undo_at > 0 ? s->undo_at - 1 : 0];
     if (!s->back) return;
     game_forget_after(g, now);
-    if (now < last->step) last->step = now;             /* so much is common from here */
+    for (int32_t i = s->undo_at > 0 ? s->undo_at - 1 : 0; i <= s->undo_at; i++)
+        if (i < UNDO_MOST && now < s->undo[i].step) s->undo[i].step = now;  /* in common */
     s->back = 0;
     if (s->tape != TAPE_EMPTY) s->tape = TAPE_DONE;
     g->noted = NULL;

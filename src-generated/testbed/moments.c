@@ -4,39 +4,66 @@
 #include <string.h>
 #include "testbed/game.h"
 
-static void drop_first(game *g)
+static size_t begin_of(const game_state *s, int32_t i)
 {
-    game_state *s = g->state;
-    size_t gone = s->undo[0].size;
-    s->undo_count--;
-    if (s->undo_at > 0) s->undo_at--;
-    for (int32_t i = 0; i < s->undo_count; i++) {
-        s->undo[i] = s->undo[i + 1];
-        s->undo[i].at -= gone;
-    }
-    const undo_moment *last = &s->undo[s->undo_count > 0 ? s->undo_count - 1 : 0];
-    if (s->undo_count > 0) memmove(g->undo, g->undo + gone, last->at + last->size);
+    if (i < s->undo_count) return s->undo[i].at;
+    return i > 0 ? s->undo[i - 1].at + s->undo[i - 1].size : 0;
 }
 
-bool game_keep_world(game *g)
+/* Makes moment i this long; it and those after it keep their order. */
+static void stretch(game *g, int32_t i, size_t size)
 {
     game_state *s = g->state;
-    size_t size = wfSnapshotSize(&g->world), need = WISHES + size, end;
-    if (need > UNDO_BYTES) s->undo_at = s->undo_count = 0;
-    if (need > UNDO_BYTES) return false;
-    for (;; drop_first(g)) {
-        const undo_moment *last = &s->undo[s->undo_count > 0 ? s->undo_count - 1 : 0];
-        end = s->undo_count > 0 ? last->at + last->size : 0;
-        if (s->undo_count < UNDO_MOST && need <= UNDO_BYTES - end) break;
+    size_t from = begin_of(s, i + 1), end = begin_of(s, s->undo_count);
+    size_t to = s->undo[i].at + size;
+    memmove(g->undo + to, g->undo + from, end - from);
+    s->undo[i].size = size;
+    for (i++; i < s->undo_count; i++) s->undo[i].at = s->undo[i].at - from + to;
+}
+
+static void drop(game *g, int32_t i)
+{
+    game_state *s = g->state;
+    stretch(g, i, 0);
+    s->undo_count--;
+    if (s->undo_at > i) s->undo_at--;
+    memmove(s->undo + i, s->undo + i + 1, sizeof *s->undo * (size_t)(s->undo_count - i));
+}
+
+/* Keeps the world as the moment that it is, in place of what was kept of it or (apart)
+ * before that. The oldest make room, but for this many before it. False: there is none. */
+static bool keep(game *g, bool apart, int32_t spared)
+{
+    game_state *s = g->state;
+    size_t size = wfSnapshotSize(&g->world), need = WISHES + size;
+    int32_t old = !apart && s->undo_at < s->undo_count, first = s->undo_at - spared;
+    size_t was = old ? s->undo[s->undo_at].size : 0;
+    size_t end = begin_of(s, s->undo_count) - was;          /* of all others */
+    if (!s->opened || need > UNDO_BYTES - (end - begin_of(s, first))) return false;
+    if (s->undo_count - old - first >= UNDO_MOST) return false;
+    while (s->undo_count - old >= UNDO_MOST || need > UNDO_BYTES - end) {
+        end -= s->undo[0].size;
+        drop(g, 0);
     }
-    uint8_t *to = g->undo + end;
+    int32_t at = s->undo_at;
+    undo_moment *m = s->undo + at;
+    if (!old) {
+        size_t begin = begin_of(s, at);
+        memmove(m + 1, m, sizeof *m * (size_t)(s->undo_count++ - at));
+        *m = (undo_moment){ begin, 0, wfWorldSteps(&g->world), s->row };
+    }
+    stretch(g, at, need);
+    uint8_t *to = g->undo + m->at;
     memcpy(to, s->changed, sizeof s->changed);
     memcpy(to + sizeof s->changed, s->wanted, sizeof s->wanted);
-    if (wfSnapshotWorld(&g->world, to + WISHES, size, &size) != WF_OK) return false;
-    s->undo[s->undo_count++] = (undo_moment){ end, WISHES + size, wfWorldSteps(&g->world),
-                                              s->row };
-    return true;
+    if (wfSnapshotWorld(&g->world, to + WISHES, size, &size) == WF_OK) return true;
+    drop(g, at);
+    return false;
 }
+
+bool game_keep_world(game *g) { return keep(g, true, 0); }
+bool game_leave_world(game *g, int32_t spared) { return keep(g, false, spared); }
+void game_drop_moment(game *g) { drop(g, g->state->undo_at - 1); }
 
 bool game_was_changed(const game_state *s)
 {
@@ -55,6 +82,7 @@ int32_t game_keep_for_undo(game *g, int row, bool always)
     bool tried = game_scene_at(g, row)->alias || (s->opened && g->scene->alias);
     if (tried) return 0;                /* each try is new */
     s->undo_count = s->undo_at;
-    if (s->opened && (always || game_was_changed(s))) game_keep_world(g);
+    if (s->opened && (always || game_was_changed(s)) && !game_keep_world(g))
+        s->undo_at = s->undo_count = 0;
     return s->undo_count;
 }

@@ -37,8 +37,10 @@ wfJournal *game_begin_edit(void *context, const wfInput *in)
     else wfRewindInit(&g->ring, g->ring.bytes, RING_BYTES);
     game_note_ring(g);
     s->ring_due = 1;
-    s->undo_count = s->undo_at;
-    if (game_keep_world(g)) s->undo_at = s->undo_count;
+    bool kept = game_keep_world(g);
+    if (!kept) s->undo_count = s->undo_at;
+    if (kept || game_keep_world(g)) s->undo_at++;
+    else s->undo_at = s->undo_count = 0;
     return g->noted;
 }
 
@@ -54,7 +56,8 @@ void game_end_edit(game *g)
                 WISHES + size == m->size &&
                 memcmp(now, g->undo + m->at + WISHES, size) == 0;
     s->editing = same ? 0 : 2;
-    if (same) s->undo_at = --s->undo_count;
+    if (same) game_drop_moment(g);
+    else s->undo_count = s->undo_at;
     wfPoolRewind(&g->scratch, mark);
 }
 
@@ -90,7 +93,7 @@ static void go_to(game *g, int32_t to, uint64_t common)
     s->tools.count = s->tools.down = 0;
     s->posed = 0;
     s->ring_due = 1;
-    s->back = 0;
+    s->editing = s->back = 0;
     if (s->tape != TAPE_EMPTY) s->tape = TAPE_DONE;
     g->noted = NULL;
     uint64_t now = wfWorldSteps(&g->world);
@@ -102,7 +105,8 @@ static void go_to(game *g, int32_t to, uint64_t common)
 void game_undo(game *g)
 {
     game_state *s = g->state;
-    if (s->undo_at == s->undo_count && s->undo_at > 0) game_keep_world(g);
+    game_end_edit(g);
+    if (s->undo_at > 0) game_leave_world(g, 1);
     game_tell(g, s->undo_at == 0, s->undo_at ? "taken back" : "there is nothing to undo");
     if (s->undo_at > 0) go_to(g, s->undo_at - 1, s->undo[s->undo_at - 1].step);
 }
@@ -110,7 +114,9 @@ void game_undo(game *g)
 void game_redo(game *g)
 {
     game_state *s = g->state;
+    game_end_edit(g);
     bool can = s->undo_at + 1 < s->undo_count;
     game_tell(g, !can, can ? "done again" : "there is nothing to redo");
+    if (can) game_leave_world(g, 0);
     if (can) go_to(g, s->undo_at + 1, s->undo[s->undo_at].step);
 }

@@ -48,6 +48,18 @@ moved() { awk -v a="$x" -v b="$(place)" 'BEGIN { exit !(b - a > 0.5) }'; }
 until_true "a body is dragged" moved
 xdotool mouseup 1
 xdotool key p; until_true "a key pauses" is paused 1
+# the keys with Ctrl, and Delete
+bodies=$(fact bodies)
+xdotool key ctrl+a; until_true "Ctrl-A chooses all" more chosen 5
+chosen=$(fact chosen)
+xdotool key ctrl+c; sleep 0.3; xdotool key Escape; until_true "Escape chooses none" is chosen 0
+xdotool key ctrl+v; until_true "Ctrl-V puts copies down" is bodies $((bodies + chosen))
+xdotool key ctrl+d; until_true "Ctrl-D doubles them" is bodies $((bodies + 2 * chosen))
+xdotool key Delete; until_true "Delete removes them" is bodies $((bodies + chosen))
+xdotool key ctrl+z; until_true "Ctrl-Z takes it back" is bodies $((bodies + 2 * chosen))
+xdotool key ctrl+shift+z; until_true "Ctrl-Shift-Z makes it again" is bodies $((bodies + chosen))
+xdotool key ctrl+z; until_true "Ctrl-Z again" is bodies $((bodies + 2 * chosen))
+xdotool key ctrl+y; until_true "Ctrl-Y does, too" is bodies $((bodies + chosen))
 # files, without any option: in the user's folder
 kept() { find "$WINEPREFIX/drive_c/users" -path '*AppData/Roaming/weft*' -name "$1" 2>/dev/null | head -1; }
 old=$(kept settings.txt); [ -z "$old" ] || rm "$old"
