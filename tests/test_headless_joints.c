@@ -1,6 +1,7 @@
 /* A joint is chosen by what is drawn of it, its numbers are changed in the panel, and each change is taken back; all bodies are chosen, copied
    and let go by keys. */
 #include "play.h"
+#include "testbed/game.h"
 #include "testbed/tools.h"
 #include "weft/joint.h"
 
@@ -233,5 +234,117 @@ TEST(all_are_chosen_copied_and_let_go_by_keys)
     assert_int_equal((int)play_fact(&p, "chosen", 0), 0);
     play_run(&p, "key escape\nkey all\nkey delete\nframe\nframe\n");
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies - chosen);
+    play_end(&p);
+}
+
+static int joints(play *p)
+{
+    static const game_input none = { 0 };
+    game g;
+    game_begin_call(&g, &p->memory, &none);
+    return wfJointCount(&g.world);
+}
+static int bodies(const play *p) { return (int)play_fact(p, "bodies", 0); }
+
+/* The numbers of a joint of the chosen body, from its kind on. */
+static void line_of(play *p, const char *kind, int joint, char out[400])
+{
+    char name[60];
+    snprintf(name, sizeof name, "joint %d: %s", joint, kind);
+    play_click(p, name);
+    const char *at = strstr(p->text, "\njoint ");
+    if (!at) fail_msg("joint %d of a copy is not there: %s\n%s", joint, kind, p->text);
+    at = strstr(at, kind);
+    snprintf(out, 400, "%.*s", (int)strcspn(at, "\n"), at);
+}
+
+TEST(joints_are_copied_with_their_bodies)
+{
+    for (int i = 0; i < wfJointKinds; i++) {
+        const char *kind = wfJointTable[i].name;
+        play p = two_joined(kind);
+        choose_it(&p, kind);
+        static const char *const parts[] = { "spring", "motor", "limits" };
+        for (int k = 0; k < 3; k++)
+            if (has(&p, parts[k]) && !((int)play_fact(&p, "joint", 1) >> k & 1)) play_click(&p, parts[k]);
+        if (has(&p, "break force")) play_type(&p, "break force", "key 9\nkey 9\nkey 9\nkey enter");
+        int were = bodies(&p), had = joints(&p);
+        uint64_t before = hash_of(&p);
+        char one[400], two[400];
+        play_run(&p, "steps 0\nkey all\nkey double\nframe\nframe\n");
+        int chosen = (int)play_fact(&p, "chosen", 0);
+        if (joints(&p) != had + 1 || bodies(&p) != were + chosen) fail_msg("%s: %d joints of %d\n%s", kind, joints(&p), had + 1, p.text);
+        uint64_t pasted = hash_of(&p);
+        play_run(&p, "steps 0\nkey undo\nframe\nframe\n");      /* one change */
+        assert_true(hash_of(&p) == before && joints(&p) == had);
+        play_run(&p, "steps 0\nkey redo\nframe\nframe\n");
+        assert_true(hash_of(&p) == pasted);
+        drag(&p, "g", AX - 15, AY - 10, AX - 15, AY - 10);
+        line_of(&p, kind, 0, one);
+        play_run(&p, "steps 0\nkey undo\nframe\nkey all\nkey copy\nframe\nkey paste\nframe\n");
+        play_run(&p, "steps 0\nkey escape\nframe\n");
+        drag(&p, "g", AX - 15, AY - 10, AX - 15, AY - 10);
+        play_run(&p, "steps 0\nkey delete\nframe\n");            /* the copy has bodies of its own: it stays */
+        assert_int_equal(joints(&p), 1);
+        for (int k = 0; k < 60 && !has(&p, "joint 1: weld"); k++) {
+            char name[48];
+            snprintf(name, sizeof name, "joint 1: %s", kind);
+            if (has(&p, name)) break;
+            play_run(&p, "steps 0\nkey n\nframe\nframe\n");
+        }
+        line_of(&p, kind, 1, two);
+        if (strcmp(kind, "rack") == 0 || strcmp(kind, "linkage") == 0)   /* where the way begins has moved along */
+            for (int k = 0; k < 2; k++) {
+                char *rest = strstr(k ? two : one, "numbers ") + 8;
+                memset(rest, '-', strcspn(rest, " "));
+                memmove(rest + 1, strchr(rest, ' '), strlen(strchr(rest, ' ')) + 1);
+            }
+        if (strcmp(one, two) != 0) fail_msg("%s: copied otherwise\n%s\n%s", kind, one, two);
+        for (int k = 0; k < 30; k++) play_run(&p, "steps 1\nkey o\nframe\n");
+        play_end(&p);
+    }
+}
+
+TEST(a_copy_has_its_own_nail_and_no_joint_to_others)
+{
+    play p = two_joined("revolute");
+    int were = bodies(&p);
+    drag(&p, "g", AX - 15, AY - 10, AX - 15, AY - 10);
+    play_run(&p, "steps 0\nkey double\nframe\nframe\n");          /* its partner was not chosen */
+    assert_int_equal(bodies(&p), were + 1);
+    assert_int_equal(joints(&p), 1);
+    play_run(&p, "steps 0\nkey undo\nframe\nframe\n");
+    drag(&p, "b", 380, AY, 400, AY + 15);
+    drag(&p, "i", 380, AY, 380, AY);
+    were = bodies(&p);
+    for (int menu = 0; menu < 2; menu++) {
+        play_run(&p, "steps 0\nkey escape\nframe\n");
+        drag(&p, "g", 380 - 15, AY - 10, 380 - 15, AY - 10);
+        if (menu) {
+            char script[200];
+            snprintf(script, sizeof script, "steps 0\nmove %d %d\nframe\nclick right\nframe\nframe\n", 380 - 15, AY - 10);
+            play_run(&p, script);
+            play_click(&p, "Copy");
+        } else play_run(&p, "steps 0\nkey double\nframe\nframe\n");
+        if (bodies(&p) != were + 2 || joints(&p) != 3) fail_msg("menu %d: no nail of its own\n%s", menu, p.text);
+        play_run(&p, "steps 0\nkey undo\nframe\nframe\n");
+        assert_int_equal(bodies(&p), were);
+    }
+    play_end(&p);
+}
+
+TEST(a_copy_without_room_changes_nothing)
+{
+    play p = play_open(320, 200, 1);
+    play_run(&p, "scene tower\nsteps 1\nframe\nkey p\nsteps 0\nframe\n");
+    int had = 0, tries = 0;
+    uint64_t before = 0;
+    for (; tries < 60 && !strstr(p.text, "said not copied"); tries++) {
+        had = bodies(&p), before = hash_of(&p);
+        play_run(&p, "steps 0\nkey all\nkey double\nframe\n");
+    }
+    if (tries == 60) fail_msg("there was always room\n%.400s", p.text);
+    assert_int_equal(bodies(&p), had);
+    assert_true(hash_of(&p) == before && had > 1000);
     play_end(&p);
 }
