@@ -714,6 +714,28 @@ TEST(closed_outlines_are_closed)
     assert_ink(&f, 20, H - 21, PAPER);
 }
 
+/* The rows of an upright rectangle are covered once. With a fifth corner in a flat side it is drawn row by row, to the same picture: also where it begins
+ * above the picture or left of it, lies on its head, or has hardly any rows. */
+TEST(upright_rectangles_are_drawn_row_by_row)
+{
+    const float boxes[7][4] = { { 10, 10, 60, 50 }, { 20.3f, 30.7f, 70.6f, H + 30 }, { -20, -20, 50.2f, 40.9f }, { 10, 50, 60, 12.4f },
+                                { 30, 20, 80, 26.5f }, { 30, 20, 80, 23.1f }, { 10.5f, -300, 70.4f, 300 } };
+    for (int i = 0; i < 7; i++)
+        for (int wide = 0; wide < 9; wide += 4) {
+            const float *e = boxes[i], middle = (e[0] + e[2]) / 2;
+            const float xy[10] = { e[0], e[1], e[0], e[3], e[2], e[3], e[2], e[1], middle, e[1] };
+            for (int corners = 4; corners <= 5; corners++) {
+                wfDraw d = new_list();
+                frame_buffer f = new_frame();
+                wfDrawPolygon(&d, xy, corners, (float)wide, WF_INK_BAD, WF_INK_GOOD);
+                render(&d, &f);
+                assert_guards();
+                if (corners == 4) keep_picture(&f);
+                else assert_same_picture(&f, kept, 0);
+            }
+        }
+}
+
 TEST(roles_of_none_draw_nothing)
 {
     wfDraw d = new_list();

@@ -109,27 +109,17 @@ static void cover_edge(wfCoverRow *row, double xa, double xb, double dy)
     if (inside > 0) cover_piece(row, (float)ca, (float)cb, (float)(dy * inside));
 }
 
-enum { RUN = 8 };
-
-static int32_t empty_until(const wfCoverRow *row, int32_t i)
-{
-    while (i < row->high && row->at[i] == 0) i++;
-    return i;
-}
-
 static void add_up(wfCoverRow *row)
 {
     float sum = 0;
-    int32_t empty = 0;
     for (int32_t i = row->low; i < row->high; i++) {
-        empty = row->at[i] == 0 ? empty + 1 : 0;
         sum += row->at[i];
         row->at[i] = clamp01(sum > -sum ? sum : -sum);      /* eq:draw-sum */
-        if (empty < RUN || row->at[i] < 1 - 1e-6f) continue;
-        int32_t end = empty_until(row, i + 1);
+        if (row->at[i] < 1 - 1e-6f) continue;
+        int32_t end = i + 1;
+        while (end < row->high && row->at[end] == 0) end++;
         fill_run(row, i + 1, end);
         i = end - 1;
-        empty = 0;
     }
     if (row->high > row->width) row->high = row->width;
     if (row->fullHigh > row->width) row->fullHigh = row->width;
@@ -297,7 +287,7 @@ static ink_light light_of(wfInk ink)
 static uint8_t mixed(float old, float new_light, float share)
 {
     float light = old * old + share * (new_light - old * old);     /* eq:draw-blend */
-    return (uint8_t)((float)wfSqrt(light) + 0.5f);
+    return (uint8_t)(int32_t)((float)WF_NATIVE_SQRT(light) + 0.5f);
 }
 
 static void lay_over(uint8_t pixel[4], const ink_light *ink, float share)
@@ -335,19 +325,27 @@ static uint32_t word_of(wfInk ink)                      /* the pixel, opaque */
     return word;
 }
 
-static void blend_row(frame_buffer *target, const wfCoverRow *row, wfInk ink)
+static void blend_cells(uint32_t *pixel, const wfCoverRow *row, int32_t i, int32_t end,
+                        const ink_light *ink, uint32_t full)
+{
+    for (; i < end; i++) {
+        float share = row->at[i];
+        if (share < 1.0f / 512) continue;
+        if (share > 511.0f / 512 && ink->alpha == 1) pixel[i] = full;
+        else lay_over((uint8_t *)(pixel + i), ink, share);
+    }
+}
+
+static void blend_row(frame_buffer *target, const wfCoverRow *row, const ink_light *ink,
+                      uint32_t full)
 {
     uint32_t *pixel = target->pixels + (size_t)row->y * (size_t)target->pitch
-                    + (size_t)row->x0, full = word_of(ink);
-    ink_light light = light_of(ink);
-    for (int32_t i = row->low; i < row->high; i++) {
-        float share = row->at[i];
-        if (ink.a == 255 && i == row->fullLow && i < row->fullHigh) {
-            for (; i < row->fullHigh; i++) pixel[i] = full;
-            i--;
-        } else if (share > 511.0f / 512 && ink.a == 255) pixel[i] = full;
-        else if (share >= 1.0f / 512) lay_over((uint8_t *)(pixel + i), &light, share);
-    }
+                    + (size_t)row->x0;
+    int32_t low = row->fullLow, high = row->fullHigh;
+    if (low >= high || ink->alpha != 1) low = high = row->high;
+    blend_cells(pixel, row, row->low, low, ink, full);
+    for (int32_t i = low; i < high; i++) pixel[i] = full;
+    blend_cells(pixel, row, high, row->high, ink, full);
 }
 
 /* What one row after another is asked to cover. */
@@ -372,9 +370,11 @@ static side side_of(const stencil *s, int i)            /* from point i to the n
 
 static void cover(wfCoverRow *row, const stencil *s, const side *ready, int sides)
 {
-    float x = wfPixelX(s->map, s->xy[0]), y = wfPixelY(s->map, s->xy[1]);
-    if (s->kind == DISC) wfCoverDisc(row, x, y, s->radius);
-    if (s->kind == RING) wfCoverRing(row, x, y, s->radius, s->half);
+    if (sides == 0) {
+        float x = wfPixelX(s->map, s->xy[0]), y = wfPixelY(s->map, s->xy[1]);
+        if (s->kind == DISC) wfCoverDisc(row, x, y, s->radius);
+        else wfCoverRing(row, x, y, s->radius, s->half);
+    }
     for (int i = 0; i < sides; i++) {
         side made;
         const side *p = ready + i;
@@ -404,22 +404,41 @@ static void stencil_box(const stencil *s, const frame_buffer *target, int32_t bo
     }
 }
 
+
+/* Rows above rows[0] and below rows[1] are all alike; none but in an upright rectangle. */
+static void rows_alike(const stencil *s, const side *p, int sides, float rows[2])
+{
+    bool upright = sides == 4 && s->count == 4;
+    for (int i = 0; i < 4 && upright; i++) upright = p[i].dx == 0 || p[i].dy == 0;
+    float a = upright ? (float)p[0].y : 0;
+    float b = upright ? (float)p[p[1].dy != 0 ? 2 : 1].y : 0;
+    rows[0] = (a < b ? a : b) + s->half + 2;
+    rows[1] = (a < b ? b : a) - s->half - 2;
+}
+
 static void paint(frame_buffer *target, const stencil *s, wfInk ink)
 {
     wfCoverRow row;
     side ready[MOST_SIDES];
     int32_t box[4];
+    float alike[2];
+    ink_light light = light_of(ink);
+    uint32_t full = word_of(ink);
     bool round = s->kind == DISC || s->kind == RING, open = s->kind == STROKE && !s->closed;
     int sides = round ? 0 : s->count - open;
     stencil_box(s, target, box);
     if (box[0] >= box[2] || box[1] >= box[3]) return;
     for (int i = 0; i < sides && sides <= MOST_SIDES; i++) ready[i] = side_of(s, i);
+    rows_alike(s, ready, sides, alike);
     for (int32_t x = box[0]; x < box[2]; x += WF_COVER_WIDTH) {
         wfCoverBegin(&row, 0, x, box[2] - x);
         for (row.y = box[1]; row.y < box[3]; row.y++) {
-            cover(&row, s, ready, sides);
-            blend_row(target, &row, ink);
-            wfCoverClear(&row);
+            float y = (float)row.y;
+            if (row.y == box[1] || y <= alike[0] || y >= alike[1]) {
+                wfCoverClear(&row);
+                cover(&row, s, ready, sides);
+            }
+            blend_row(target, &row, &light, full);
         }
     }
 }
@@ -494,7 +513,9 @@ static void paint_glyph(frame_buffer *target, const wfFont *font, const wfGlyph 
         uint8_t *pixel = (uint8_t *)(target->pixels
                          + (size_t)y * (size_t)target->pitch + (size_t)x0);
         for (int32_t x = x0; x <= x1; x++, pixel += 4) {
-            float cover = cover_at(font, g, ((float)x + 0.5f - left) / scale - 0.5f, v);
+            float cover = scale == 1
+                ? cover_of(font, g, x - (int32_t)left, y - (int32_t)top)
+                : cover_at(font, g, ((float)x + 0.5f - left) / scale - 0.5f, v);
             if (cover > 0) wfBlendLetter(pixel, ink, cover / 255);
         }
     }
