@@ -324,7 +324,7 @@ TEST(a_copy_has_its_own_nail_and_no_joint_to_others)
             char script[200];
             snprintf(script, sizeof script, "steps 0\nmove %d %d\nframe\nclick right\nframe\nframe\n", 380 - 15, AY - 10);
             play_run(&p, script);
-            play_click(&p, "Copy");
+            play_click(&p, "Copy it");
         } else play_run(&p, "steps 0\nkey double\nframe\nframe\n");
         if (bodies(&p) != were + 2 || joints(&p) != 3) fail_msg("menu %d: no nail of its own\n%s", menu, p.text);
         play_run(&p, "steps 0\nkey undo\nframe\nframe\n");
