@@ -64,6 +64,8 @@ typedef struct game_state {
     /* what the game remembers of settings and time */
     uint32_t wanted_on, wanted_off;     /* overlays, other than the scene says */
     tool_memory tools;
+    int32_t again;                      /* 1 + a button that stays under the mouse; 0: none */
+    float again_at[4];                  /* ... where: its middle and size, pixels */
     wfBodyId hover;                     /* the body under the mouse; index 0: none */
     int32_t menu;                       /* its menu is open, here: units */
     float menu_x, menu_y;
@@ -75,6 +77,7 @@ typedef struct game_state {
     int32_t grasped;                    /* 1 + the control under mouse or finger; 0: none */
     int32_t ends;                       /* 1: a scene that is empty stays so */
     int32_t no_legend;                  /* 1: none stands on the picture */
+    float keys_scroll;                  /* of the key sheet, units */
     double empty;                       /* s since the last body has left */
     float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
     int32_t narrow, wide[3];            /* less than LIST_ROOM; list, tools, panel with more */
@@ -117,12 +120,15 @@ typedef struct game_state {
     int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
     int32_t bar;                        /* the tools are shown */
     float panel_scroll, head;           /* head: height of the strip at the top, units */
-    uint8_t changed[128];               /* which settings the user has changed ... */
+    uint8_t changed[128];               /* parts of settings that the user has changed ... */
     double wanted[128][2];              /* ... and to what */
+    uint8_t known[128];                 /* what the scene has is known ... */
+    double own[128][2];                 /* ... and this */
     uint32_t modules, wished;           /* instead of the scene's own; to be: 0: its own */
     double seconds[STAGES];             /* that the stages took ... */
     int64_t timed;                      /* ... in so many steps */
     wfBodyId plotted;                   /* whose own curves are kept */
+    int32_t tables;                     /* curves that were sent to files */
     wfLook look;                        /* what the overlays look into ... */
     int32_t pinned;                     /* ... 1: and it does not follow the mouse */
     int32_t curves, lent;               /* plots that are shown, a bit each: the user's, and
@@ -196,6 +202,7 @@ enum { WISHES = sizeof((game_state *)0)->changed + sizeof((game_state *)0)->want
 /* Keeps the world behind undo's other moments; false when it doesn't fit at all. */
 bool game_keep_world(game *g);
 bool game_was_changed(const game_state *s);             /* this scene, by its user */
+void game_see_wishes(game *g);          /* settings may be others than they were */
 /* Another world takes the place of this: keeps it if it was changed, or in any case, and
  * returns how many moments there are then. */
 int32_t game_keep_for_undo(game *g, int row, bool always);

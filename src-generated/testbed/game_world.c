@@ -119,6 +119,7 @@ void game_open_scene(game *g, int row)
     s->plots.count = 0;
     if (!same) {
         memset(s->changed, 0, sizeof s->changed);
+        memset(s->known, 0, sizeof s->known);
         game_show_overlays(g);
         game_look_home(g);
     }
@@ -282,9 +283,24 @@ static void keep_wishes(game *g)
     wfWorldDef def;
     if (!s->opened || wfGetWorldDef(&g->world, &def) != WF_OK) return;
     for (int i = 0; i < wfSettingCount && i < 128; i++)
-        for (int part = 0; s->changed[i] && part < 2; part++)
-            wfPutSetting(&def, &wfSettingTable[i], part, s->wanted[i][part]);
+        for (int part = 0; part < 2; part++)
+            if (s->changed[i] >> part & 1)
+                wfPutSetting(&def, &wfSettingTable[i], part, s->wanted[i][part]);
     s->result = wfSetWorldDef(&g->world, &def);
+}
+
+/* Settings were changed, or that was taken back: which are not the scene's any more? */
+void game_see_wishes(game *g)
+{
+    game_state *s = g->state;
+    wfWorldDef def;
+    if (!s->opened || wfGetWorldDef(&g->world, &def) != WF_OK) return;
+    for (int i = 0; i < wfSettingCount && i < 128; i++)
+        for (int part = 0; s->known[i] && part < 2; part++) {
+            s->wanted[i][part] = wfSettingValue(&def, &wfSettingTable[i], part);
+            int bit = 1 << part, other = s->wanted[i][part] != s->own[i][part];
+            s->changed[i] = (uint8_t)((s->changed[i] & ~bit) | (other ? bit : 0));
+        }
 }
 
 bool game_goes_along(const game_state *s, int i)

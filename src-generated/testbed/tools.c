@@ -9,7 +9,13 @@
 #include "weft/joint.h"
 #include "weft/query.h"
 
-/* say what a tool did */
+/* So much of a sentence is for those who don't program. */
+int tool_plain(const char *why)
+{
+    const char *call = strstr(why, ": wf");
+    return call ? (int)(call - why) : TOOL_WORDS;
+}
+
 #ifdef __GNUC__
 __attribute__((format(printf, 3, 4)))
 #endif
@@ -21,7 +27,8 @@ static void say(tool_memory *m, wfResult result, const char *format, ...)
     va_end(list);
     m->refused = result != WF_OK;
     if (result == WF_OK || n < 0 || (size_t)n >= sizeof m->said) return;
-    snprintf(m->said + n, sizeof m->said - (size_t)n, ": %s", wfResultText(result));
+    const char *why = wfResultText(result);
+    snprintf(m->said + n, sizeof m->said - (size_t)n, ": %.*s", tool_plain(why), why);
 }
 
 static void say_no(tool_memory *m, const char *why)

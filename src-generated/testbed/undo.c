@@ -85,6 +85,7 @@ static void go_to(game *g, int32_t to, uint64_t common)
     if (s->result != WF_OK) return;
     memcpy(s->changed, from, sizeof s->changed);
     memcpy(s->wanted, from + sizeof s->changed, sizeof s->wanted);
+    game_see_wishes(g);
     s->undo_at = to;
     s->held = (wfBodyId){ 0 };
     s->tools.count = s->tools.down = 0;
