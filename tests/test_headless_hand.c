@@ -213,9 +213,9 @@ TEST(the_menu_does_what_it_says)
     from_menu(&p, "body 6", "Next colour");
     from_menu(&p, "body 6", "Plot it");
     assert_true((int)play_fact(&p, "curves", 0) >> WF_PLOT_BODY & 1);
-    from_menu(&p, "body 5", "Freeze it, or free it");
+    from_menu(&p, "body 5", "Freeze it");
     assert_null(play_line(&p, "body 5"));                   /* the bodies that are told are dynamic */
-    from_menu(&p, "body 6", "Follow it, or don't");
+    from_menu(&p, "body 6", "Follow it");
     assert_int_equal((int)play_fact(&p, "follow", 0), 6);
     double view = play_fact(&p, "view", 1);
     play_run(&p, "frame\nframe\nframe\nframe\nframe\nframe\nframe\nframe\nframe\nframe\n");

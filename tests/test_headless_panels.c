@@ -1,6 +1,8 @@
 /* The testbed's panels, its tape and its files: a scripted mouse changes numbers, the test plays the platform. */
 #include "play.h"
 #include "testbed/scene.h"
+#include "testbed/game.h"
+#include "testbed/layout.h"
 #include "testbed/view.h"
 
 static void give_files(play *p)
@@ -377,5 +379,227 @@ TEST(every_panel_is_walked_by_keys)
         for (int i = 0; i < 60; i++) play_run(&p, "steps 0\nkey page-down\nframe\nkey down\nframe\n");
         play_run(&p, "steps 0\nkey escape\nframe\n");
     }
+    play_end(&p);
+}
+
+/* ---- what may be typed, what is marked, what stays in its place ---- */
+static game_state *state_of(const play *p) { return p->memory.permanent; }
+static int where_is(const char *setting)
+{
+    for (int i = 0; i < wfSettingCount; i++)
+        if (strcmp(wfSettingTable[i].name, setting) == 0) return i;
+    fail_msg("there is no %s", setting);
+    return 0;
+}
+
+TEST(what_may_be_typed_is_said)
+{
+    static const struct { const char *widget, *keys, *said; } bad[] = {
+        { "timeStep", "key a\nkey b\nkey c\nkey enter", "said time step: a number from 0.0001 to 0.1 s" },
+        { "timeStep", "key 0\nkey enter", "said time step: a number from 0.0001 to 0.1 s" },
+        { "timeStep", "key -\nkey 1\nkey enter", "said time step: a number from 0.0001 to 0.1 s" },
+        { "timeStep", "key 5\nkey enter", "said time step: a number from 0.0001 to 0.1 s" },
+        { "timeStep", "key 1\nkey -\nmove 600 400\nframe\nclick left", "said time step: a number from 0.0001 to 0.1 s" },
+        { "gravity.y", "key 1\nkey e\nkey 9\nkey enter", "said gravity y: a number from -1000 to 1000 m/s^2" },
+        { "substeps", "key 0\nkey enter", "said substeps: a whole number from 1 to 100 " } };
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene stack-of-boxes\nkey p\nkey s\nsteps 0\nframe\n");
+    play_click(&p, "World");
+    char link[400], now[400];
+    game_link(&p.memory, link, sizeof link);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        state_of(&p)->tools.said[0] = 0;
+        play_type(&p, bad[i].widget, bad[i].keys);
+        if (!play_says(&p, bad[i].said)) fail_msg("%s: %.120s", bad[i].widget, play_line(&p, "said"));
+        game_link(&p.memory, now, sizeof now);
+        assert_string_equal(now, link);
+    }
+    play_type(&p, "timeStep", "key enter");
+    play_run(&p, "key n\nframe\n");
+    play_click(&p, "Body");
+    play_type(&p, "velocity.x", "key 1\nkey e\nkey 9\nkey enter");
+    assert_true(play_says(&p, "said velocity x: a number from -1e+06 to 1e+06 "));
+    play_click(&p, "World");
+    pull_number(&p, "timeStep", 900);
+    wfWorldDef def;
+    game g;
+    static const game_input none = { 0 };
+    game_begin_call(&g, &p.memory, &none);
+    assert_int_equal(wfGetWorldDef(&g.world, &def), WF_OK);
+    assert_near(def.timeStep, 0.1, 1e-6);
+    play_type(&p, "gravity.y", "key -\nkey 3\nkey ,\nkey 5\nkey enter");
+    game_begin_call(&g, &p.memory, &none);
+    wfGetWorldDef(&g.world, &def);
+    assert_near(def.gravity.y, -3.5, 1e-6);
+    play_end(&p);
+}
+
+TEST(a_setting_is_marked_where_it_is_not_the_scenes)
+{
+    play p = play_open(1100, 700, 1);
+    int gravity = where_is("gravity");
+    play_run(&p, "scene stack-of-boxes\nkey p\nkey s\nsteps 0\nframe\n");
+    play_click(&p, "World");
+    play_type(&p, "gravity.y", "key -\nkey 3\nkey enter");
+    assert_int_equal(state_of(&p)->changed[gravity], 2);
+    play_run(&p, "steps 0\nkey undo\nframe\n");
+    assert_int_equal(state_of(&p)->changed[gravity], 0);
+    play_run(&p, "steps 0\nkey redo\nframe\n");
+    assert_int_equal(state_of(&p)->changed[gravity], 2);
+    play_type(&p, "gravity.y", "key -\nkey 9\nkey .\nkey 8\nkey 1\nkey enter");
+    assert_int_equal(state_of(&p)->changed[gravity], 0);
+    play_type(&p, "gravity.x", "key 2\nkey enter");
+    play_run(&p, "steps 0\nkey r\nframe\n");                       /* outlives a reset */
+    assert_int_equal(state_of(&p)->changed[gravity], 1);
+    assert_near(state_of(&p)->wanted[gravity][0], 2, 0);
+    play_end(&p);
+}
+
+TEST(names_are_words)
+{
+    static const char *const of[][2] = { { "slop", "allowed overlap" }, { "pairCapacity", "room for pairs" }, { "enableSimd", "wide instructions" },
+        { "reuseManifolds", "keep old contacts" }, { "graphColouring", "contacts in groups" }, { "with hooks", "with a scene's code" },
+        { "gravity.y", "gravity y" }, { "timeStep", "time step" } };
+    char out[GAME_NAME_SIZE];
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) assert_string_equal(ui_words(of[i][0], out), of[i][1]);
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene pyramid\nkey p\nsteps 0\nkey y\nframe\nmove 300 200\nframe\ndown left\nframe\n"
+                 "move 400 300\nframe\nmove 400 200\nframe\nmove 300 300\nframe\nmove 302 204\nframe\nup left\nframe\n");
+    assert_non_null(strstr(p.text, "cross"));                      /* a figure of eight */
+    assert_null(strstr(p.text, "wfCheck"));
+    play_end(&p);
+}
+
+/* Pressed again and again at one place, the button is still this button. */
+TEST(a_button_stays_under_the_mouse)
+{
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene pyramid\nkey p\nsteps 0\nframe\nframe\n");
+    char script[100];
+    static const int want[] = { 2, 3, 4, 5, 0, 2 };
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\nframe\n", play_fact(&p, "widget Size pixel", 0), play_fact(&p, "widget Size pixel", 1));
+    for (int i = 0; i < 6; i++) {
+        play_run(&p, script);
+        assert_int_equal((int)play_fact(&p, "letters", 0), want[i]);
+        assert_true(strncmp(p.text, "scene pyramid\n", 14) == 0);
+    }
+    play_run(&p, "steps 0\nmove 600 400\nframe\nframe\n");
+    assert_int_equal(state_of(&p)->again, 0);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\nframe\n", play_fact(&p, "widget List pixel", 0), play_fact(&p, "widget List pixel", 1));
+    for (int i = 0; i < 3; i++) {
+        play_run(&p, script);
+        assert_int_equal((int)play_fact(&p, "list", 0), i % 2);
+    }
+    assert_int_equal((int)play_fact(&p, "steps", 0), 0);
+    play_end(&p);
+}
+
+TEST(a_tool_moves_nothing)
+{
+    static const int size[][2] = { { 1100, 700 }, { 480, 640 }, { 800, 400 }, { 480, 360 }, { 1600, 900 } };
+    for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
+        play p = play_open(size[i][0], size[i][1], 1);
+        play_run(&p, "scene pyramid\nkey p\nsteps 0\nframe\nframe\n");
+        if (!play_line(&p, "widget Place")) play_click(&p, "Tools");
+        play_run(&p, "steps 0\nframe\nframe\n");
+        double y = play_fact(&p, "body 1 x", 3), x = play_fact(&p, "body 1 x", 2);
+        for (int k = 0; k < toolCount; k++) {
+            play_click(&p, toolTable[k].name);
+            play_run(&p, "steps 0\nframe\nframe\n");
+            if (play_fact(&p, "body 1 x", 3) != y || play_fact(&p, "body 1 x", 2) != x)
+                fail_msg("%d x %d: %s moves the scene", size[i][0], size[i][1], toolTable[k].name);
+        }
+        play_click(&p, "Place");
+        play_choose(&p, "new shape", "box");
+        assert_int_equal(state_of(&p)->tools.choice[TOOL_SHAPE], 1);
+        play_end(&p);
+    }
+}
+
+TEST(the_menu_says_what_it_will_do)
+{
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 60\nkey p\nsteps 0\nframe\nkey a\nframe\n");
+    static const char *const want[] = { "widget Freeze it", "widget Let it move" };
+    char script[200];
+    double x = play_fact(&p, "body 6 x", 2), y = play_fact(&p, "body 6 x", 3);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick right\nframe\nframe\n", x, y);
+    for (int i = 0; i < 2; i++) {
+        play_run(&p, script);
+        assert_non_null(play_line(&p, want[i]));
+        play_click(&p, want[i] + 7);
+    }
+    play_run(&p, script);
+    play_click(&p, "Follow it");
+    play_run(&p, "steps 0\nwait 60\n");
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick right\nframe\nframe\n", play_fact(&p, "body 6 x", 2), play_fact(&p, "body 6 x", 3));
+    play_run(&p, script);
+    play_click(&p, "Don't follow");
+    assert_int_equal((int)play_fact(&p, "follow", 0), -1);
+    play_end(&p);
+}
+
+/* No body of the scene's own view is under a curve, be it beside panels or in panes. */
+TEST(curves_leave_the_scene_in_sight)
+{
+    static const struct { const char *scene, *worlds; } of[] = { { "hung-cradle", "One world" }, { "tower", "Four" }, { "tower", "Two" } };
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        char script[100], label[40];
+        play p = play_open(1100, 700, 1);
+        snprintf(script, sizeof script, "scene %s\nkey s\nsteps 1\nwait 5\nkey p\nsteps 0\nframe\n", of[i].scene);
+        play_run(&p, script);
+        play_click(&p, "Compare");
+        play_click(&p, of[i].worlds);
+        play_click(&p, "curve: energy");
+        play_click(&p, "curve: momentum");
+        play_click(&p, "curve: turning");
+        play_run(&p, "steps 0\nkey h\nframe\nframe\n");
+        double low = play_fact(&p, "widget close turning pixel", 1) + (double)CONTROL_HIGH - 6;
+        for (int k = 0; k < 30; k++) {
+            snprintf(label, sizeof label, "body %d x", k);
+            if (play_line(&p, label) && play_fact(&p, label, 3) < low) fail_msg("%s, %s: %s under a curve", of[i].scene, of[i].worlds, label);
+        }
+        play_end(&p);
+    }
+}
+
+TEST(a_table_has_only_what_is_known)
+{
+    store s = { "", NULL, 0 };
+    char first[GAME_NAME_SIZE];
+    play p = play_open(1100, 700, 1);
+    give_files(&p);
+    frames(&p, NULL, 3);
+    play_run(&p, "scene pyramid\nkey s\nsteps 1\nwait 20\nkey p\nsteps 0\nframe\n");
+    play_click(&p, "Compare");
+    play_click(&p, "curve: energy");
+    play_click(&p, "curve: turning");
+    for (int i = 0; i < 2; i++) {
+        frames(&p, &s, 3);
+        play_click(&p, "Curves as CSV");
+        answer(&p, &s);
+        frames(&p, &s, 2);
+        s.bytes[s.size] = 0;
+        assert_non_null(strstr((char *)s.bytes, "energy"));
+        assert_null(strstr((char *)s.bytes, "turning"));            /* of nobody */
+        if (i) assert_true(strcmp(first, s.name) != 0);             /* the first one is still there */
+        snprintf(first, sizeof first, "%s", s.name);
+    }
+    free(s.bytes);
+    play_end(&p);
+}
+
+TEST(the_key_sheet_is_whole_in_a_small_window)
+{
+    play p = play_open(480, 360, 1);
+    play_run(&p, "scene pyramid\nkey p\nkey s\nsteps 0\nframe\nkey ?\nframe\nmove 200 200\nframe\n");
+    for (int y = 60; y < 340; y += 10) {
+        char script[80];
+        snprintf(script, sizeof script, "steps 0\nmove 280 %d\nframe\nframe\n", y);
+        play_run(&p, script);
+        assert_int_equal(state_of(&p)->ui.rests, 0);                /* no tip of what lies below */
+    }
+    for (int i = 0; i < 20; i++) play_run(&p, "steps 0\nmove 200 200\nframe\nwheel -1\nframe\n");
+    assert_true(state_of(&p)->keys_scroll > 200);
     play_end(&p);
 }

@@ -21,14 +21,14 @@ static void interface(ui *u, game *g, double seconds)
     if (s->bare) {
         s->head = 0;
         if (s->opened && game_drives_any(g)) game_controls(u, g);
-        if (s->keys) game_key_sheet(u, s, 4);
+        if (s->keys) game_key_sheet(u, g, 4);
         ui_finish(u, seconds);
         return;
     }
     u->room[0] = game_list_side(s), u->room[1] = s->head;
     u->room[2] = s->width - game_beside(s), u->room[3] = s->height - FOOT - TIME_BAR;
-    bool drawer = game_has_drawer(s) && !s->keys;
-    if (drawer || s->menu) u->x = -1e6f;                /* they lie over all else */
+    bool drawer = game_has_drawer(s) && !s->keys, again = game_stays_under(u, s);
+    if (drawer || s->menu || again) u->x = -1e6f;       /* they lie over all else */
     strip(u, -2, s->head);
     strip(u, s->height - FOOT - TIME_BAR + 2, FOOT + TIME_BAR);
     if (game_curves(s) || game_has_panes(s)) game_draw_curves(u, g);
@@ -43,9 +43,11 @@ static void interface(ui *u, game *g, double seconds)
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
     /* name the scene */
     if (s->height >= LOW) {
-        ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, g->scene->name);
-        if (!game_has_panes(s))
-            game_draw_legend(u, g, x + 12 + wfTextWidth(&wfBakedFont, 16, g->scene->name));
+        float wide = wfTextWidth(&wfBakedFont, 16, g->scene->name);
+        if (x + wide < b.right)
+            ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, g->scene->name);
+        if (!game_has_panes(s) && b.right == s->width - 8)
+            game_draw_legend(u, g, x + 12 + wide);
         if (!g->scene->alias)                               /* a task stands on its card */
             s->head = ui_wrapped(u, x, s->head - 10, s->width - x - 6, WF_INK_TEXT,
                                  g->scene->text) - 7;
@@ -56,7 +58,7 @@ static void interface(ui *u, game *g, double seconds)
     game_state_line(u, g, x);
     game_time_bar(u, g);
     if (s->opened && game_drives_any(g)) game_controls(u, g);
-    if (s->keys) game_key_sheet(u, s, x);
+    if (s->keys) game_key_sheet(u, g, x);
     if (s->hint && !s->keys && !covered && !game_hint_is_low(s))
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
                 s->height - FOOT - TIME_BAR - 14 - game_controls_high(g),
@@ -68,6 +70,8 @@ static void interface(ui *u, game *g, double seconds)
         game_list_panel(u, g);
         u->over = true;
     }
+    if (again && !s->menu) game_press_again(u, g);
+    if (s->keys) u->tip = NULL;
     ui_finish(u, seconds);
 }
 
@@ -248,6 +252,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     interface(&u, &g, 0);
     game_place_camera(&g);
     game_obey_mouse(&g, u.over);
+    if (s->ui.refused[0]) game_tell(&g, true, s->ui.refused), s->ui.refused[0] = 0;
     game_end_edit(&g);
     if (s->opened) game_step_world(&g);
     if (s->opened) begin_again(&g);

@@ -99,5 +99,6 @@ void game_begin_call(game *g, const game_memory *memory, const game_input *input
 void game_tell(game *g, bool refused, const char *what)
 {
     g->state->tools.refused = refused;
-    snprintf(g->state->tools.said, sizeof g->state->tools.said, "%s", what);
+    snprintf(g->state->tools.said, sizeof g->state->tools.said, "%.*s", tool_plain(what),
+             what);
 }

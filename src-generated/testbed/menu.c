@@ -26,12 +26,18 @@ static void menu_copy(game *g, wfBodyId id)
     tool_copy(&w, id);
 }
 
-static void menu_freeze(game *g, wfBodyId id)
+static bool is_frozen(const game *g, wfBodyId id)
 {
     wfBodyInfo b;
+    return wfGetBody(&g->world, id, &b) == WF_OK && b.type == WF_STATIC;
+}
+
+/* All become what the first of them is not. */
+static void menu_freeze(game *g, wfBodyId id)
+{
     wfInput in = { .kind = WF_INPUT_TYPE };
-    if (wfGetBody(&g->world, id, &b) != WF_OK) return;
-    in.with.number = b.type == WF_STATIC ? WF_DYNAMIC : WF_STATIC;
+    bool frozen = is_frozen(g, g->state->tools.chosen[0]);
+    in.with.number = frozen ? WF_DYNAMIC : WF_STATIC;
     menu_give(g, id, in);
 }
 
@@ -88,11 +94,11 @@ void game_body_menu(ui *u, game *g)
 {
     static const struct { const char *one, *all; void (*act)(game *, wfBodyId); } row[] = {
         { "Remove it", "Remove them", menu_remove }, { "Copy it", 0, menu_copy },
-        { "Freeze it, or free it", "Freeze or free them", menu_freeze },
+        { "Freeze it", "Freeze them", menu_freeze },
         { "Twice the mass", "Twice each mass", menu_heavier },
         { "Half the mass", "Half each mass", menu_lighter },
         { "Next colour", "Next colours", menu_colour },
-        { "Follow it, or don't", 0, menu_follow }, { "Plot it", 0, menu_plot },
+        { "Follow it", 0, menu_follow }, { "Plot it", 0, menu_plot },
         { "Numbers and joints", 0, menu_numbers } };
     enum { ROWS = sizeof row / sizeof *row };
     game_state *s = g->state;
@@ -105,10 +111,13 @@ void game_body_menu(ui *u, game *g)
     ui_box(u, x, y, w, h, WF_INK_LINE, WF_INK_PAPER);
     for (int i = 0; i < ROWS; i++) {
         bool all = s->tools.count > 1 && row[i].all;
-        if (!ui_row(u, all ? row[i].all : row[i].one, x + 4, y + 4 + each * (float)i, w - 8,
-                    false)) continue;
-        row[i].act(g, id);
-        for (int k = 1; all && k < s->tools.count; k++) row[i].act(g, s->tools.chosen[k]);
+        const char *name = all ? row[i].all : row[i].one;
+        if (row[i].act == menu_freeze && is_frozen(g, id))
+            name = all ? "Let them move" : "Let it move";
+        if (row[i].act == menu_follow && s->follow.index == id.index) name = "Don't follow";
+        if (!ui_row(u, name, x + 4, y + 4 + each * (float)i, w - 8, false)) continue;
+        for (int k = all ? s->tools.count - 1 : 0; k >= 0; k--)     /* the first is last */
+            if (k < s->tools.count) row[i].act(g, s->tools.chosen[k]);
         s->menu = 0;
     }
     if (u->click && !u->draw && !ui_inside(u, x, y, w, h)) s->menu = 0;

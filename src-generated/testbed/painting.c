@@ -139,8 +139,10 @@ static void name_world(const game *g, int i, char *text, size_t size)
     const wfSetting *row = &wfSettingTable[s->differs[i]];
     const char *name = row->kind == WF_SETTING_ROW || row->kind == WF_SETTING_CHOICE
                        ? wfSettingRowName(row, (int)s->value[i]) : NULL;
-    if (name) snprintf(text, size, "%s: %s", row->name, name);
-    else snprintf(text, size, "%s: %.4g", row->name, s->value[i]);
+    char words[GAME_NAME_SIZE];
+    const char *what = ui_words(row->name, words);
+    if (name) snprintf(text, size, "%s: %s", what, name);
+    else snprintf(text, size, "%s: %.4g", what, s->value[i]);
 }
 
 static void draw_ghost(const wfWorld *world, int role, wfDraw *d)

@@ -67,12 +67,12 @@ static void change_setting(game *g, int i, int part, double value)
     wfWorldDef def;
     wfInput in = { .kind = WF_INPUT_SETTING, .index = (uint32_t)i,
                    .generation = (uint32_t)part };
-    if (i >= 128) return;
+    if (i >= 128 || wfGetWorldDef(&g->world, &def) != WF_OK) return;
+    for (int k = 0; k < 2 && !s->known[i]; k++) s->own[i][k] = wfSettingValue(&def, row, k);
+    s->known[i] = 1;
     in.with.x = (wfReal)value;
     s->result = wfGiveInput(&g->world, game_begin_edit(g, &in), &in, NULL);
-    if (s->result != WF_OK || wfGetWorldDef(&g->world, &def) != WF_OK) return;
-    s->changed[i] = 1;
-    for (int k = 0; k < 2; k++) s->wanted[i][k] = wfSettingValue(&def, row, k);
+    game_see_wishes(g);
 }
 
 static ui_range range_of(const wfSetting *row, int part)
@@ -82,6 +82,25 @@ static ui_range range_of(const wfSetting *row, int part)
     size = size < 0 ? -size : size;
     return (ui_range){ row->least, row->most, size > 0 ? size / 4 : 1,
                        row->kind == WF_SETTING_INT };
+}
+
+/* A number of a setting, within what a user may want of one that is open. */
+static bool setting_number(ui *u, const wfSetting *row, int part, const char *name,
+                           float x, float y, float w, double *value, bool changed)
+{
+    static const struct { const char *name; double least, most; } sane[] = {
+        { "gravity", -1000, 1000 }, { "timeStep", 1e-4, 0.1 }, { "iterations", 0, 1000 },
+        { "substeps", 1, 100 }, { "contactPeriod", 0.01, 1000 } };
+    ui_limits may = { row->least, row->most < 1e4 ? row->most : 1e4, row->unit };
+    if (row->kind == WF_SETTING_INT) may.most = row->most < 1e6 ? row->most : 1e6;
+    if (row->above && may.least == 0) may.least = 1e-4;
+    for (size_t i = 0; i < sizeof sane / sizeof *sane; i++)
+        if (strcmp(sane[i].name, row->name) == 0)
+            may.least = sane[i].least, may.most = sane[i].most;
+    u->limits = &may;
+    bool hit = ui_number(u, name, x, y, w, value, range_of(row, part), changed);
+    u->limits = NULL;
+    return hit;
 }
 
 static int32_t row_count(const void *of)
@@ -96,7 +115,7 @@ static const char *row_name(const void *of, int row) { return wfSettingRowName(o
 static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part, float y)
 {
     const wfSetting *row = &wfSettingTable[i];
-    bool changed = i < 128 && g->state->changed[i];
+    bool changed = i < 128 && g->state->changed[i] >> part & 1;
     float x = u->width - SETTINGS_WIDTH + 12, w = SETTINGS_WIDTH - 24;
     double value = wfSettingValue(def, row, part);
     char name[GAME_NAME_SIZE];
@@ -117,7 +136,7 @@ static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part,
                         changed);
         value = choice;
     } else {
-        hit = ui_number(u, name, x, y, w, &value, range_of(row, part), changed);
+        hit = setting_number(u, row, part, name, x, y, w, &value, changed);
     }
     ui_tip(u, name, row->text, x, y, w, UI_LINE);
     if (hit) change_setting(g, i, part, value);
@@ -221,19 +240,19 @@ typedef struct body_line {
 } body_line;
 
 static const body_line body_lines[BODY_LINES] = {
-    { "mass", "kg", { 1e-6, 1e20, 1, false }, WF_INPUT_MASS, 0 },
-    { "density", "of its shapes, kg/m^2", { 0, 1e20, 1, false }, WF_INPUT_SET_SHAPE, 0 },
+    { "mass", "kg", { 1e-6, 1e9, 1, false }, WF_INPUT_MASS, 0 },
+    { "density", "of its shapes, kg/m^2", { 0, 1e9, 1, false }, WF_INPUT_SET_SHAPE, 0 },
     { "restitution", "0: clay, 1: nothing is lost", { 0, 1, 0.5, false },
       WF_INPUT_MATERIAL, WF_MODULE_RESTITUTION },
     { "friction", "0: ice, 1: rubber", { 0, 2, 0.5, false }, WF_INPUT_MATERIAL,
       WF_MODULE_FRICTION },
-    { "linear damping", "1/s: its velocity dies away", { 0, 1e20, 0.1, false },
+    { "linear damping", "1/s: its velocity dies away", { 0, 1e9, 0.1, false },
       WF_INPUT_DAMPING, WF_MODULE_DAMPING },
-    { "angular damping", "1/s: its spin dies away", { 0, 1e20, 0.1, false },
+    { "angular damping", "1/s: its spin dies away", { 0, 1e9, 0.1, false },
       WF_INPUT_DAMPING, WF_MODULE_DAMPING },
-    { "velocity.x", "m/s", { -1e20, 1e20, 1, false }, WF_INPUT_VELOCITY, 0 },
-    { "velocity.y", "m/s", { -1e20, 1e20, 1, false }, WF_INPUT_VELOCITY, 0 },
-    { "spin", "rad/s", { -1e20, 1e20, 1, false }, WF_INPUT_VELOCITY, WF_MODULE_ROTATION },
+    { "velocity.x", "m/s", { -1e6, 1e6, 1, false }, WF_INPUT_VELOCITY, 0 },
+    { "velocity.y", "m/s", { -1e6, 1e6, 1, false }, WF_INPUT_VELOCITY, 0 },
+    { "spin", "rad/s", { -1e6, 1e6, 1, false }, WF_INPUT_VELOCITY, WF_MODULE_ROTATION },
 };
 
 bool game_body_numbers(const game *g, wfBodyId id, wfBodyInfo *b, double out[BODY_LINES])
@@ -366,21 +385,21 @@ typedef struct joint_line {
 } joint_line;
 
 static const joint_line joint_lines[JOINT_LINES] = {
-    { "rest", "length", "m or rad", 'r', 'R', { -1e20, 1e20, 1, false } },
+    { "rest", "length", "m or rad", 'r', 'R', { -1e6, 1e6, 1, false } },
     { "ratio", NULL, "of the ways; a ratchet's tooth, rad; an arm, m", 'q', 0,
-      { -1e20, 1e20, 1, false } },
-    { "lower stop", "shortest", "m or rad", 0, 'L', { -1e20, 1e20, 1, false } },
-    { "upper stop", "longest", "m or rad", 0, 'L', { -1e20, 1e20, 1, false } },
+      { -1e6, 1e6, 1, false } },
+    { "lower stop", "shortest", "m or rad", 0, 'L', { -1e6, 1e6, 1, false } },
+    { "upper stop", "longest", "m or rad", 0, 'L', { -1e6, 1e6, 1, false } },
     { "hertz", NULL, "of the spring, for both bodies", 's', 'S', { 0.01, 1000, 1, false } },
     { "damping", NULL, "0: swings for ever, 1: not at all", 's', 'S',
       { 0, 100, 0.5, false } },
-    { "spring force", NULL, "at most, N or N m; 0: any", 0, 'S', { 0, 1e20, 10, false } },
-    { "motor speed", NULL, "m/s or rad/s", 0, 'M', { -1e20, 1e20, 1, false } },
-    { "motor force", NULL, "at most, N or N m", 'f', 'M', { 0, 1e20, 10, false } },
+    { "spring force", NULL, "at most, N or N m; 0: any", 0, 'S', { 0, 1e9, 10, false } },
+    { "motor speed", NULL, "m/s or rad/s", 0, 'M', { -1e6, 1e6, 1, false } },
+    { "motor force", NULL, "at most, N or N m", 'f', 'M', { 0, 1e9, 10, false } },
     { "break force", NULL, "N: breaks it; 0: nothing does", 'b', 0,
-      { 0, 1e20, 100, false } },
+      { 0, 1e9, 100, false } },
     { "break torque", NULL, "N m: breaks it; 0: nothing does", 'b', 0,
-      { 0, 1e20, 100, false } },
+      { 0, 1e9, 100, false } },
 };
 
 static bool joint_is(const wfJoint *j, const char *kind)
@@ -657,9 +676,12 @@ static void press_csv(game *g)
     game_state *s = g->state;
     if (!game_has_card(g)) return;
     game_file *f = g->file;
+    char name[GAME_NAME_SIZE];
     f->size = wfPlotText(&s->plots, game_curves(s), (char *)f->bytes, f->capacity);
+    snprintf(name, sizeof name, "curves-%llu-%d.csv",
+             (unsigned long long)wfWorldSteps(&g->world), (int)++s->tables);
     if (f->size >= f->capacity) game_tell(g, true, "the curves are too long for a file");
-    else game_wish(g, GAME_FILE_EXPORT, FILE_CURVES, "curves.csv");
+    else game_wish(g, GAME_FILE_EXPORT, FILE_CURVES, name);
 }
 
 static void look_number(ui *u, game *g, const char *name, float x, float *y, float w,
@@ -788,7 +810,7 @@ static float other_lines(ui *u, game *g, int i, float x, float y, float w)
                         true);
         if (hit) s->value[i] = (double)choice;
     } else {
-        hit = ui_number(u, value, x, y, w, &s->value[i], range_of(row, 0), true);
+        hit = setting_number(u, row, 0, value, x, y, w, &s->value[i], true);
     }
     if (hit) game_begin_others(g);
     y += UI_LINE;

@@ -52,11 +52,13 @@ void game_button_key(game *g, int32_t key);             /* presses the button of
 void game_choose_tool(game *g, int tool);
 void game_list_panel(ui *u, game *g);
 void game_buttons(ui *u, game *g, bar *b);
+bool game_stays_under(const ui *u, game_state *s);
+void game_press_again(ui *u, game *g);
 void game_tool_bar(ui *u, game *g, bar *b);
 void game_state_line(ui *u, const game *g, float x);
 #define HINT "Grab something: drag it, and throw it."
 bool game_hint_is_low(const game_state *s);     /* on the last line, not in the picture */
-void game_key_sheet(ui *u, const game_state *s, float x);
+void game_key_sheet(ui *u, game *g, float x);
 void game_open_menu(game *g, float x, float y);         /* pixels */
 void game_body_menu(ui *u, game *g);
 void game_plot_body(game *g, wfBodyId id);

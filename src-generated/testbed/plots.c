@@ -336,6 +336,8 @@ void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w,
 size_t wfPlotText(const wfPlots *p, uint32_t rows, char *text, size_t size)
 {
     wfWriter c = { text, size, 0 };
+    for (int row = 0; row < wfPlotCount; row++)
+        if (why_not(p, row)) rows &= ~(1u << row);             /* nobody knows it */
     wfPut(&c, "time (s)");
     for (int row = 0; row < wfPlotCount; row++)
         for (int k = first_curve(p, row), n = rows >> row & 1 ? curves_of(p, row) : 0;

@@ -82,10 +82,21 @@ void ui_text(ui *u, float x, float y, float size, int role, int anchor, const ch
 {
     if (u->draw) wfDrawText(u->draw, x, u->height - y, size, role, anchor, text);
 }
+static const struct { const char *name, *words; } better[] = {
+    { "bodyCapacity", "room for bodies" }, { "shapeCapacity", "room for shapes" },
+    { "pairCapacity", "room for pairs" }, { "contactCapacity", "room for contacts" },
+    { "jointCapacity", "room for joints" }, { "forceCapacity", "room for forces" },
+    { "materialPairCapacity", "room for materials" }, { "slop", "allowed overlap" },
+    { "reuseManifolds", "keep old contacts" }, { "enableSimd", "wide instructions" },
+    { "graphColouring", "contacts in groups" }, { "stackSolver", "towers at once" },
+    { "stackSag", "sag of a tower" }, { "jointCompliance", "give of a joint" },
+    { "maxImpacts", "impacts at most" }, { "with hooks", "with a scene's code" } };
 
 const char *ui_words(const char *name, char out[GAME_NAME_SIZE])
 {
     size_t n = 0;
+    for (size_t i = 0; i < sizeof better / sizeof *better; i++)
+        if (strcmp(better[i].name, name) == 0) return better[i].words;
     for (const char *c = name; *c && n + 2 < GAME_NAME_SIZE; c++) {
         bool large = *c >= 'A' && *c <= 'Z', after = c > name && c[-1] >= 'a' &&
             c[-1] <= 'z';
@@ -296,7 +307,7 @@ static const char *read_number(const char *t, double *out)
     int digits = 0, after = 0, of_power = 0;
     bool minus = *t == '-', less = false;
     t = read_digits(t + minus, &n, &digits);
-    if (*t == '.') t = read_digits(t + 1, &n, &after);
+    if (*t == '.' || *t == ',') t = read_digits(t + 1, &n, &after);
     if (digits + after == 0) return NULL;
     if (*t == 'e') {
         less = *++t == '-';
@@ -321,10 +332,20 @@ bool ui_typed(const char *text, double *out)
     return true;
 }
 
+static void refuse_number(ui_memory *m, const char *name, bool whole, ui_limits may)
+{
+    char words[GAME_NAME_SIZE];
+    snprintf(m->refused, sizeof m->refused, "%.40s: a %snumber from %.6g to %.6g %s",
+             ui_words(name, words), whole ? "whole " : "", may.least, may.most,
+             may.unit ? may.unit : "");
+}
+
 /* Begins to type the number, or takes what was typed. */
-static void type_number(ui *u, uint32_t id, double *value, ui_range r, bool inside)
+static void type_number(ui *u, const char *name, double *value, ui_range r, ui_limits may,
+                        bool inside)
 {
     ui_memory *m = u->memory;
+    uint32_t id = id_of(name);
     double typed;
     if (u->tapped == id && *value == m->grip) {
         m->edits = id;
@@ -332,12 +353,13 @@ static void type_number(ui *u, uint32_t id, double *value, ui_range r, bool insi
         m->edit[0] = 0;
     }
     if (m->edits != id) return;
-    if (u->press && !inside) m->edited = 1;
+    if (u->press && !inside) m->edited = 2;
     if (!m->edited) return;
     m->edits = 0;
-    if (!ui_typed(m->edit, &typed)) return;
-    if (r.whole) typed = floor(typed + 0.5);
-    *value = typed < r.least ? r.least : typed > r.most ? r.most : typed;
+    bool number = ui_typed(m->edit, &typed);
+    if (number && r.whole) typed = floor(typed + 0.5);
+    if (number && typed >= may.least && typed <= may.most) *value = typed;
+    else if (m->edit[0] || m->edited == 1) refuse_number(m, name, r.whole, may);
 }
 
 static bool takes_digit(ui_memory *m, int32_t key)
@@ -347,7 +369,7 @@ static bool takes_digit(ui_memory *m, int32_t key)
     else if (key == GAME_KEY_ENTER) m->edited = 1;
     else if (key == GAME_KEY_ESCAPE) m->edits = 0;
     else if (key == GAME_KEY_BACKSPACE && length > 0) m->edit[length - 1] = 0;
-    else if (key > ' ' && key < 127 && strchr("0123456789.-/e", key) &&
+    else if (key > ' ' && key < 127 && strchr("0123456789.,-/e", key) &&
              length + 1 < sizeof m->edit) {
         m->edit[length] = (char)key;
         m->edit[length + 1] = 0;
@@ -389,9 +411,10 @@ bool ui_number(ui *u, const char *name, float x, float y, float w, double *value
     double was = *value;
     draw_number(u, name, x, y, w, *value, r, changed);
     bool inside = ui_inside(u, x + w - 92, y, 92, UI_LINE);
+    ui_limits may = u->limits ? *u->limits : (ui_limits){ r.least, r.most, NULL };
     if (ui_area(u, name, x + w - 92, y, 92, UI_LINE) && u->enter)
         u->tapped = id, m->grip = *value;
-    if (!u->draw) type_number(u, id, value, r, inside);
+    if (!u->draw) type_number(u, name, value, r, may, inside);
     if (u->press && !below_menu(u) && inside) {
         m->active = id;
         m->grip = *value;
@@ -401,8 +424,8 @@ bool ui_number(ui *u, const char *name, float x, float y, float w, double *value
     if (m->active == id && u->held)
         *value = ui_pulled(m->grip, (double)(u->x - m->grip_x), r);
     else if (u->turn && u->index == m->focus)
-        *value = r.whole ? fmin(fmax(*value + u->turn, r.least), r.most)
-                         : ui_pulled(*value, u->turn * 10, r);
+        *value = r.whole ? *value + u->turn : ui_pulled(*value, u->turn * 10, r);
+    if (*value != was) *value = fmin(fmax(*value, may.least), may.most);
     return *value != was;
 }
 

@@ -26,14 +26,17 @@ typedef struct ui_memory {
     double rested;
     int32_t typing, all;        /* letters go to the query; to the place of all of it */
     uint32_t edits;             /* which number is being typed; 0: none */
-    int32_t edited;             /* ... and that it is ready */
+    int32_t edited;             /* ... and that it is ready: 1 by Enter, 2 by a click */
     char edit[UI_QUERY];
+    char refused[100];          /* what may be typed, after something that may not */
     char query[UI_QUERY];
     int32_t place_count;        /* where everything is, for game_describe, pixels */
     ui_place places[UI_PLACES];
 } ui_memory;
 
-/* what a walk works with */
+/* What may be typed, or pulled to, where that is less than a number's range. */
+typedef struct ui_limits { double least, most; const char *unit; } ui_limits;
+
 typedef struct ui {
     ui_memory *memory;
     wfDraw *draw;               /* NULL in the walk that looks for clicks */
@@ -50,6 +53,7 @@ typedef struct ui {
     const char *tip;            /* what to say about the one under the mouse, ... */
     float tip_x, tip_y;         /* ... which is above this place */
     float room[4];              /* where tips may lie: left, top, right, bottom */
+    const ui_limits *limits;    /* of the next numbers; NULL: their ranges */
     int32_t (*menu_size)(const void *);     /* the open list, to be drawn last */
     const char *(*menu_name)(const void *, int);
     const void *menu_of;
