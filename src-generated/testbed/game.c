@@ -324,10 +324,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         (int)s->list, (int)s->panel, (int)s->back, s->rate, (int)s->dark, (int)s->keys);
     wfPut(&w, "view %.4f %.4f %.4f\nhash %016llx\n", (double)s->camera.x, (double)s->camera.y,
         (double)s->camera.height, (unsigned long long)wfHashWorld(&g.world));
-    if (s->challenge)
-        wfPut(&w, "challenge %s\nverdict %d\nfoul %d\nkicks %d\nshown %.6g\n",
-            wfChallengeTable[s->challenge - 1].name, (int)s->trial.verdict, (int)s->foul,
-            (int)s->kicks, s->trial.shown);
+    if (s->challenge) game_say_try(&w, &g);
     /* say what is compared and looked into */
     wfPut(&w, "pair %d %d\nworlds %d\ncurves %d\n", (int)s->look.shapeA,
         (int)s->look.shapeB, s->worlds < 1 ? 1 : (int)s->worlds, (int)game_curves(s));

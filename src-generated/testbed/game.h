@@ -31,10 +31,15 @@ enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
 enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
+
 enum { UNDO_BYTES = 8 * 1024 * 1024, UNDO_MOST = 64 };
 /* Where a moment lies in the bytes of undo, how long it is, the step up to which what came
- * after has the same past, its scene. */
-typedef struct undo_moment { size_t at, size; uint64_t step; int32_t row; } undo_moment;
+ * after has the same past, its scene; of a try at a challenge what was known. */
+typedef struct undo_moment {
+    size_t at, size;
+    uint64_t step, tried;
+    int32_t row, foul, kicks;
+} undo_moment;
 enum { STAGES = 64 };               /* of a step, at most, that are timed */
 enum { OTHERS = 3, OTHER_BYTES = 4 * 1024 * 1024 };
 #include "testbed/challenges.h"
@@ -198,7 +203,7 @@ bool game_keep_world(game *g);
 bool game_was_changed(const game_state *s);             /* this scene, by its user */
 /* Another world takes the place of this: keeps it if it was changed, or in any case, and
  * returns how many moments there are then. */
-int32_t game_keep_for_undo(game *g, int row, bool always);
+int32_t game_keep_for_undo(game *g, bool always);
 wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
 bool game_drives(const game *g, uint32_t bit);          /* this key drives the scene */
@@ -227,6 +232,8 @@ void game_draw_panes(game *g, frame_buffer *buffer, const wfPalette *palette);
 /* a try at a challenge; only where the scene is one */
 WF_APART void game_begin_challenge(game *g);
 WF_APART void game_look_at_change(game *g, const wfInput *in);
+WF_APART void game_keep_try(game *g);
+WF_APART void game_return_to_try(game *g, const undo_moment *m);
 WF_APART void game_before_step(game *g);
 WF_APART void game_after_step(game *g);
 void game_begin_try(game *g);

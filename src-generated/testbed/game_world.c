@@ -67,7 +67,7 @@ void game_open_scene(game *g, int row)
 {
     game_state *s = g->state;
     row = (row + game_scene_count(g)) % game_scene_count(g); /* after the last, the first */
-    int32_t before = s->undo_at, moments = game_keep_for_undo(g, row, false);
+    int32_t before = s->undo_at, moments = game_keep_for_undo(g, false);
     s->tools.said[0] = 0;                                   /* it was about another world */
     s->tools.refused = s->tools.probed = s->tools.down = s->tools.points = 0;
     bool same = s->row == row && s->opened;
@@ -230,7 +230,7 @@ void game_go_back(game *g, uint64_t before)
 {
     wfRewind copy = g->ring;
     game_state *s = g->state;
-    bool all = s->undo_at == s->undo_count && game_was_changed(s) && !g->scene->alias;
+    bool all = s->undo_at == s->undo_count && game_was_changed(s);
     if (before == 0) return;
     if (!s->back && all && game_keep_world(g)) s->undo_at = s->undo_count;
     if (wfRewindTo(&copy, &g->world, before - 1) != WF_OK) return;

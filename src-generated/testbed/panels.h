@@ -90,5 +90,6 @@ void game_spare_controls(const game *g, camera *c);
 void game_say_controls(wfWriter *w, const game *g);
 void game_draw_mark(ui *u, const game_state *s);
 WF_APART float game_card(ui *u, game *g, float x);
+void game_say_try(wfWriter *w, const game *g);
 WF_APART void game_offer(ui *u, game *g, float x);
 #endif
