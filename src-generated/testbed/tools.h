@@ -86,6 +86,8 @@ wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made);
  * full. Errors of wfGiveInput. */
 wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made);
 const char *tool_joint_text(int row);   /* of a row of the choice of joints */
+/* Its kind, and in brackets which of the tool's that is: "distance (spring)". */
+WF_APART const char *tool_joint_name(const wfJoint *j);
 /* Forgets who was removed meanwhile; chooses one body alone (index 0: nobody). */
 void tool_forget(tool_work *w);
 void tool_choose(tool_memory *m, wfBodyId id);
