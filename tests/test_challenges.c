@@ -441,19 +441,19 @@ TEST(what_does_not_count_is_told_before_time_runs)
     play_click(&p, "Place");
     play_choose(&p, "new shape", "hexagon");
     drag(&p, 0, 3, 0.5, 3);
-    assert_true(play_says(&p, "try bars 2 of 20   This does not count: a body that is no bar."));
+    assert_true(play_says(&p, "try bars 2 of 20   This try does not count: other things than you have (a body that is no bar)."));
     play_click(&p, "Undo");
     assert_true(play_says(&p, "try bars 1 of 20   "));
     play_click(&p, "Bar");
     drag(&p, -4, 3, 0, 3);
-    assert_true(play_says(&p, "try bars 2 of 20   This does not count: a bar longer than 2.7 m."));
+    assert_true(play_says(&p, "try bars 2 of 20   This try does not count: other things than you have (a bar longer than 2.7 m)."));
     play_end(&p);
     open_challenge(&p, "beam");
     play_click(&p, "Place");
     drag(&p, 3, 0.5, 3.4, 0.9);
     assert_true(play_says(&p, "try bodies 1 of 1   "));
     drag(&p, 1, 0.5, 1.4, 0.9);
-    assert_true(play_says(&p, "try bodies 2 of 1   This does not count: more than you have."));
+    assert_true(play_says(&p, "try bodies 2 of 1   This try does not count: other things than you have (too many)."));
     play_end(&p);
 }
 
@@ -508,8 +508,13 @@ TEST(a_scene_at_rest_offers_something)
     int bodies = (int)play_fact(&p, "bodies", 0);
     play_click(&p, "Throw a ball");
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 1);
-    assert_null(play_line(&p, "widget Throw a ball"));                  /* something moves */
     steps(&p, 5);
+    assert_non_null(play_line(&p, "widget Throw a ball"));              /* what was used stays for eight seconds */
+    play_click(&p, "Tilt");
+    assert_true(play_says(&p, "said tilted"));
+    steps(&p, 470);
+    assert_non_null(play_line(&p, "widget Throw a ball"));
+    play_click(&p, "Undo");
     play_click(&p, "Undo");
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
     play_run(&p, "steps 1\nwait 500\nsteps 0\nframe\nframe\n");

@@ -259,9 +259,12 @@ void game_buttons(ui *u, game *g, bar *b)
         g->state->input.turn = wfWrapAngle(g->state->input.turn + WF_R(0.3));
 }
 
-bool game_hint_is_low(const game_state *s)
+const char *game_hint(const game *g, bool low)
 {
-    return s->hint && (s->height < LOW || game_has_panes(s));
+    const game_state *s = g->state;
+    if (low != (s->height < LOW || game_has_panes(s))) return NULL;
+    if (game_drives_any(g)) return game_tell_driver(g);
+    return s->hint && !s->tools.tool ? "Grab something: drag it, and throw it." : NULL;
 }
 
 /* Is any of a body within these edges: left, bottom, right, top? */
@@ -311,11 +314,12 @@ static bool last_words(const game *g, char line[200], int *ink)
         snprintf(line, 200, "%s", why);
         return false;
     }
-    if (game_hint_is_low(s)) *ink = WF_INK_ACCENT;
-    snprintf(line, 200, "%s", game_hint_is_low(s) ? HINT :
-             s->finger ? "drag bodies, or the view   two fingers: zoom   rest: menu" :
+    const char *hint = game_hint(g, true);
+    if (hint) *ink = WF_INK_ACCENT;
+    snprintf(line, 200, "%s", hint ? hint :
+             s->finger ? "drag bodies, or the view   two fingers: zoom   rest on one: menu" :
              "?: all keys   drag: hold and throw   right drag: move the view   "
-             "wheel: zoom   right click: menu");
+             "wheel: zoom   right click on a body: menu");
     return false;
 }
 

@@ -30,7 +30,9 @@ static int state_of_try(const game *g, char *line, size_t size)
     if (done) snprintf(line, size, "Done.   %s", number);
     else if (s->foul)
         snprintf(line, size, "This try does not count: %s.", fouls[s->foul]);
-    else if (why) snprintf(line, size, "%sThis does not count: %s.", count, why);
+    else if (why)
+        snprintf(line, size, "%sThis try does not count: other things than you have (%s).",
+                 count, why);
     else snprintf(line, size, "%s%s%s", lost ? "Not this time.   " : "", count,
                   first ? "" : number);
     return done ? WF_INK_GOOD : lost || s->foul || why ? WF_INK_BAD : WF_INK_TEXT;

@@ -45,7 +45,7 @@ static const char *why_not_free(const wfWorld *world, int32_t given, int32_t mos
         added++;
         if (v.props[i].type != WF_DYNAMIC) return "a body that cannot fall";
     }
-    return added <= most ? NULL : "more than you have";
+    return added <= most ? NULL : "too many";
 }
 
 /* judges */
