@@ -371,6 +371,92 @@ TEST(a_try_begins_again)
     play_end(&p);
 }
 
+/* Restart and Again are taken back like all else, and nothing is forgiven by that. */
+TEST(undo_takes_restart_and_again_back)
+{
+    play p;
+    open_challenge(&p, "beam");
+    play_click(&p, "Place");
+    drag(&p, 3, 0.5, 3.4, 0.9);
+    assert_int_equal((int)play_fact(&p, "bodies", 0), 4);
+    play_click(&p, "Restart");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), 3);
+    play_click(&p, "Undo");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), 4);
+    steps(&p, 40);
+    assert_int_equal(foul(&p), 0);                                      /* nothing was done that may not be */
+    play_click(&p, "Again");
+    assert_int_equal((int)play_fact(&p, "steps", 0), 0);
+    play_click(&p, "Undo");
+    assert_int_equal((int)play_fact(&p, "steps", 0), 40);
+    play_run(&p, "steps 0\nkey p\nframe\n");
+    steps(&p, 1);
+    assert_int_equal(foul(&p), FOUL_TIME);
+    play_click(&p, "Restart");
+    play_click(&p, "Undo");
+    assert_int_equal((int)play_fact(&p, "steps", 0), 41);
+    steps(&p, 1);
+    assert_int_equal(foul(&p), FOUL_TIME);
+    play_end(&p);
+    open_challenge(&p, "beam");                                         /* a foul comes back with what was built */
+    play_click(&p, "Pin");
+    drag(&p, 2, 0, 2, 0);
+    play_click(&p, "Restart");
+    steps(&p, 1);
+    assert_int_equal(foul(&p), 0);
+    play_click(&p, "Restart");
+    play_click(&p, "Undo");
+    play_click(&p, "Undo");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), 4);
+    steps(&p, 1);
+    assert_int_equal(foul(&p), FOUL_CHANGE);
+    play_end(&p);
+    open_challenge(&p, "beam");                                         /* and so does a setting */
+    assert_true(game_set(&p.memory, "gravity.y", -1));
+    play_run(&p, "steps 0\nframe\n");
+    play_click(&p, "Restart");
+    play_click(&p, "Undo");
+    steps(&p, 1);
+    assert_int_equal(foul(&p), FOUL_SETTINGS);
+    play_end(&p);
+    open_challenge(&p, "orbit");                                        /* kicks are not given back */
+    kick(&p, 0, 0, 2);
+    steps(&p, 20);
+    play_click(&p, "Restart");
+    play_click(&p, "Undo");
+    kick(&p, 0, 0, 2);
+    steps(&p, 1);
+    assert_true(foul(&p) != 0);
+    play_end(&p);
+}
+
+/* What is no bar, or one body too many, is told when it is built. */
+TEST(what_does_not_count_is_told_before_time_runs)
+{
+    play p;
+    open_challenge(&p, "bridge");
+    assert_true(play_says(&p, "try bars 0 of 20   "));
+    warren(&p, 1);
+    assert_true(play_says(&p, "try bars 1 of 20   "));
+    play_click(&p, "Place");
+    play_choose(&p, "new shape", "hexagon");
+    drag(&p, 0, 3, 0.5, 3);
+    assert_true(play_says(&p, "try bars 2 of 20   This try does not count: other things than you have (a body that is no bar)."));
+    play_click(&p, "Undo");
+    assert_true(play_says(&p, "try bars 1 of 20   "));
+    play_click(&p, "Bar");
+    drag(&p, -4, 3, 0, 3);
+    assert_true(play_says(&p, "try bars 2 of 20   This try does not count: other things than you have (a bar longer than 2.7 m)."));
+    play_end(&p);
+    open_challenge(&p, "beam");
+    play_click(&p, "Place");
+    drag(&p, 3, 0.5, 3.4, 0.9);
+    assert_true(play_says(&p, "try bodies 1 of 1   "));
+    drag(&p, 1, 0.5, 1.4, 0.9);
+    assert_true(play_says(&p, "try bodies 2 of 1   This try does not count: other things than you have (too many)."));
+    play_end(&p);
+}
+
 TEST(time_waits_for_the_reader)
 {
     play p = play_open(WIDE, HIGH, 1);
@@ -422,8 +508,13 @@ TEST(a_scene_at_rest_offers_something)
     int bodies = (int)play_fact(&p, "bodies", 0);
     play_click(&p, "Throw a ball");
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 1);
-    assert_null(play_line(&p, "widget Throw a ball"));                  /* something moves */
     steps(&p, 5);
+    assert_non_null(play_line(&p, "widget Throw a ball"));              /* what was used stays for eight seconds */
+    play_click(&p, "Tilt");
+    assert_true(play_says(&p, "said tilted"));
+    steps(&p, 470);
+    assert_non_null(play_line(&p, "widget Throw a ball"));
+    play_click(&p, "Undo");
     play_click(&p, "Undo");
     assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
     play_run(&p, "steps 1\nwait 500\nsteps 0\nframe\nframe\n");

@@ -519,6 +519,50 @@ TEST(the_demo_drives_until_somebody_does)
     play_end(&q);
 }
 
+static const char *told(const play *p) { return play_line(p, "driver") + 7; }
+
+/* In real time a demo is called one, and the first key begins the scene anew: nothing is spoilt. */
+TEST(a_demo_says_so_and_ends_with_the_first_key)
+{
+    static const char *const scene[] = { "wrecking-ball", "trebuchet", "tank", "pinball" }, *const key[] = { "up", "enter", "right", "left" };
+    for (int i = 0; i < 4; i++) {
+        play p = play_open(1280, 800, 1);
+        char script[200];
+        p.sparing = true;
+        snprintf(script, sizeof script, "scene %s\nsteps -1\nseconds 0.0166667\nwait 300\n", scene[i]);
+        play_run(&p, script);
+        must(play_fact(&p, "steps", 0) > 200, "%s: the demo does not run", scene[i]);
+        must(strncmp(told(&p), "A demonstration.", 16) == 0, "%s: it is told %.40s", scene[i], told(&p));
+        snprintf(script, sizeof script, "steps -1\nseconds 0.0166667\nhold %s\nwait 10\n", key[i]);
+        play_run(&p, script);
+        must(play_fact(&p, "steps", 0) < 20, "%s: it is at step %g", scene[i], play_fact(&p, "steps", 0));
+        must(play_fact(&p, "controls", 1) != 0, "%s: the key is not held", scene[i]);
+        must(told(&p)[0] == '\n', "%s: it is told %.40s", scene[i], told(&p));
+        snprintf(script, sizeof script, "steps -1\nseconds 0.0166667\nlet %s\nwait 60\nhold %s\nwait 20\n", key[i], key[i]);
+        play_run(&p, script);
+        must(play_fact(&p, "steps", 0) > 60, "%s: a second key begins it anew, too", scene[i]);
+        play_end(&p);
+    }
+    play p = play_open(1280, 800, 1);                           /* what was built there stays */
+    p.sparing = true;
+    play_run(&p, "scene tank\nsteps -1\nseconds 0.0166667\nwait 60\nkey b\nmove 900 300\nframe\ndown left\nframe\nup left\nwait 60\nhold right\nwait 10\n");
+    must(play_fact(&p, "steps", 0) > 100, "it is at step %g", play_fact(&p, "steps", 0));
+    play_end(&p);
+}
+
+TEST(a_car_on_its_roof_is_told_of)
+{
+    play p = play_open(1280, 800, 1);
+    p.sparing = true;
+    play_run(&p, "steps 0\nscene hill-car\nframe\nsteps 1\nhold right\nwait 300\n");
+    must(told(&p)[0] == '\n', "on its way: %.40s", told(&p));
+    play_run(&p, "hold right\nwait 700\nlet right\nwait 60\n");
+    must(strncmp(told(&p), "It has turned over: R puts it back.", 34) == 0, "%.40s\n%s", told(&p), p.text);
+    play_run(&p, "hold left\nwait 30\nlet left\nkey r\nframe\nhold right\nframe\n");
+    must(told(&p)[0] == '\n', "after R: %.40s", told(&p));
+    play_end(&p);
+}
+
 TEST(arrows_without_a_word_move_the_view)
 {
     play p = play_open(1280, 800, 1);

@@ -283,6 +283,8 @@ TEST(offers_lie_on_no_body)
     play p;
     begin(&p, 1280, 800, 1, "steps 1\nscene tower\nwait 900\n");
     assert_true(play_fact(&p, "widget Throw a ball pixel", 1) < play_fact(&p, "body 10 x", 3) - 20);
+    assert_true(play_fact(&p, "widget Tilt pixel", 1) < (double)state_of(&p)->head);        /* nor on the ceiling of its scene */
+    assert_true(play_fact(&p, "widget Tilt pixel", 0) < 1280 - 20);
     play_end(&p);
 }
 

@@ -208,6 +208,56 @@ TEST(joints_are_found_from_their_bodies_and_by_clicks)
     play_end(&p);
 }
 
+/* A new joint is chosen, and told by the row that its maker chose. On the way between the boxes a click chooses it, and another leaves it
+   chosen; empty ground lets it go. */
+TEST(a_joint_that_was_made_or_clicked_is_chosen_and_stays_so)
+{
+    static const char *const made[][2] = { { "spring", "distance (spring)" }, { "rope", "distance (rope)" }, { "motor", "revolute (motor)" },
+                                           { "distance", "distance" } };
+    for (int i = 0; i < 4; i++) {
+        play p = two_joined(made[i][0]);
+        char row[64], said[100];
+        assert_non_null(strstr(p.text, "\njoint 0 "));
+        drag(&p, "g", BX, BY, BX, BY);
+        play_run(&p, "steps 0\nkey escape\nframe\n");
+        drag(&p, "g", BX, BY, BX, BY);
+        snprintf(row, sizeof row, "joint 0: %s", made[i][1]);
+        if (!has(&p, row)) fail_msg("no row %s\n%s", row, p.text);
+        if (i != 2) {
+            play_run(&p, "steps 0\nkey escape\nframe\n");
+            for (int k = 0; k < 3; k++) {
+                drag(&p, "g", (AX + BX) / 2, (AY + BY) / 2, (AX + BX) / 2, (AY + BY) / 2);
+                if (!strstr(p.text, "\njoint 0 ")) fail_msg("click %d lets the joint go", k);
+                snprintf(said, sizeof said, "said chosen: joint 0, %s", made[i][1]);
+                assert_non_null(strstr(p.text, said));
+            }
+            drag(&p, "g", 800, 140, 800, 140);
+            assert_null(strstr(p.text, "\njoint "));
+        }
+        play_end(&p);
+    }
+}
+
+/* What lies under the lasso is not outlined as the chosen are: it takes what can move, and drags what is chosen. */
+TEST(the_lasso_outlines_nothing_that_it_does_not_take)
+{
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene tower\nsteps 1\nframe\nkey p\nkey l\nsteps 0\nmove 640 150\nframe\nframe\n");
+    size_t bytes = (size_t)p.buffer.width * (size_t)p.buffer.height * 4;
+    uint32_t *before = malloc(bytes);
+    assert_non_null(before);
+    memcpy(before, p.buffer.pixels, bytes);
+    float ground[2];
+    camera_see(&((const game_state *)p.memory.permanent)->camera, 0, -0.2f, ground);
+    char script[100];
+    snprintf(script, sizeof script, "move %g %g\nframe\nframe\n", (double)ground[0], (double)ground[1]);
+    play_run(&p, script);
+    assert_true(play_fact(&p, "hover", 0) >= 0);
+    assert_memory_equal(before, p.buffer.pixels, bytes);
+    free(before);
+    play_end(&p);
+}
+
 TEST(all_are_chosen_copied_and_let_go_by_keys)
 {
     play p = play_open(1100, 700, 1);

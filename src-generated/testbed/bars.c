@@ -158,8 +158,10 @@ void game_list_panel(ui *u, game *g)
 static void press_step(game *g) { g->state->paused = g->state->single = 1; }
 static void press_reset(game *g)
 {
+    bool any = false;
     game_open_scene(g, g->state->row);
-    if (memchr(g->state->changed, 1, sizeof g->state->changed))
+    for (size_t i = 0; i < sizeof g->state->changed; i++) any |= g->state->changed[i] != 0;
+    if (any)
         game_tell(g, false, "your settings stay (the page World takes them back); "
                             "Undo brings back the rest");
 }
@@ -235,6 +237,7 @@ bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
 
 void game_buttons(ui *u, game *g, bar *b)
 {
+    game_state *s = g->state;
     bool terse = b->terse;
     for (int i = 0; i < BUTTONS; i++) {
         const button_row *row = &button_table[i];
@@ -244,9 +247,16 @@ void game_buttons(ui *u, game *g, bar *b)
         bool brief = (row->press && row->press != press_step) || row->flag == FLAG(dark);
         if (narrow && !terse) b->terse = brief, b->icon = 30;
         b->least = fmaxf(button_wide(row->name), row->other ? button_wide(row->other) : 0);
-        if (bar_button(u, b, on && row->other ? row->other : row->name, on && !row->other,
-                       row->text))
-            game_press_button(g, row);
+        float from = b->x;
+        if (!bar_button(u, b, on && row->other ? row->other : row->name, on && !row->other,
+                        row->text)) continue;
+        game_press_button(g, row);
+        if (!u->click || u->finger) continue;
+        if (row->press != press_size && (row->flag != FLAG(list) || s->narrow)) continue;
+        float w = b->x - 4 - (from < b->x ? from : b->left), k = u->scale;
+        s->again = 1 + i;
+        s->again_at[0] = (b->x - 4 - w / 2) * k, s->again_at[1] = (b->y + 12) * k;
+        s->again_at[2] = w * k, s->again_at[3] = 24 * k;
     }
     b->least = 0;
     b->terse = terse;
@@ -259,9 +269,12 @@ void game_buttons(ui *u, game *g, bar *b)
         g->state->input.turn = wfWrapAngle(g->state->input.turn + WF_R(0.3));
 }
 
-bool game_hint_is_low(const game_state *s)
+const char *game_hint(const game *g, bool low)
 {
-    return s->hint && (s->height < LOW || game_has_panes(s));
+    const game_state *s = g->state;
+    if (low != (s->height < LOW || game_has_panes(s))) return NULL;
+    if (game_drives_any(g)) return game_tell_driver(g);
+    return s->hint && !s->tools.tool ? "Grab something: drag it, and throw it." : NULL;
 }
 
 /* Is any of a body within these edges: left, bottom, right, top? */
@@ -311,11 +324,12 @@ static bool last_words(const game *g, char line[200], int *ink)
         snprintf(line, 200, "%s", why);
         return false;
     }
-    if (game_hint_is_low(s)) *ink = WF_INK_ACCENT;
-    snprintf(line, 200, "%s", game_hint_is_low(s) ? HINT :
-             s->finger ? "drag bodies, or the view   two fingers: zoom   rest: menu" :
+    const char *hint = game_hint(g, true);
+    if (hint) *ink = WF_INK_ACCENT;
+    snprintf(line, 200, "%s", hint ? hint :
+             s->finger ? "drag bodies, or the view   two fingers: zoom   rest on one: menu" :
              "?: all keys   drag: hold and throw   right drag: move the view   "
-             "wheel: zoom   right click: menu");
+             "wheel: zoom   right click on a body: menu");
     return false;
 }
 
@@ -358,8 +372,9 @@ void game_state_line(ui *u, const game *g, float x)
     ui_fitted(u, x, s->height - 13, ink, room, last);
 }
 
-void game_key_sheet(ui *u, const game_state *s, float x)
+void game_key_sheet(ui *u, game *g, float x)
 {
+    game_state *s = g->state;
     static const char *const sheet[][2] = {
         { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
         { "[ and ]", "previous, next scene" },
@@ -395,13 +410,22 @@ void game_key_sheet(ui *u, const game_state *s, float x)
     int columns = room < least * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
     if (columns == 2 && x + 2 * wide > s->width)
         x = s->width > 2 * wide ? s->width - 2 * wide : 4;
-    if (columns == 2 && 2 * wide > s->width - 8) wide = (s->width - 8) / 2;
-    if (line * (float)each > room) line = room / (float)each;
-    float h = line * (float)each + 14;
-    ui_box(u, x, top, wide * (float)columns, h, WF_INK_FAINT, WF_INK_PAPER);
-    if (ui_inside(u, x, top, wide * (float)columns, h)) u->over = true;
+    bool scrolls = columns == 2 && 2 * wide > s->width - 8;
+    if (scrolls) columns = 1, each = rows, wide = fminf(wide, s->width - 8), line = 17;
+    else if (line * (float)each > room) line = room / (float)each;
+    float h = line * (float)each + 14, seen = fminf(h, room + 14);
+    ui_box(u, x, top, wide * (float)columns, seen, WF_INK_FAINT, WF_INK_PAPER);
+    bool inside = ui_inside(u, x, top, wide * (float)columns, seen);
+    if (inside) u->over = true;
+    if (!scrolls) s->keys_scroll = 0;
+    else if (inside && !u->draw)
+        s->keys_scroll -= g->input->wheel * 3 * line + game_finger_way(u, g);
+    s->keys_scroll = fmaxf(0, fminf(s->keys_scroll, h - seen));
+    if (scrolls) bar_thumb(u, x + wide - 5, top, seen, h, s->keys_scroll);
     for (int i = 0; i < rows; i++) {
         float left = x + wide * (float)(i / each), y = top + 18 + line * (float)(i % each);
+        y -= s->keys_scroll;
+        if (scrolls && (y < top + 13 || y > top + seen - 3)) continue;
         ui_text(u, left + 12, y, 13, WF_INK_TEXT, -1, sheet[i][0]);
         ui_fitted(u, left + 96, y, WF_INK_TEXT, wide - 104, sheet[i][1]);
     }
@@ -434,14 +458,20 @@ void game_tool_bar(ui *u, game *g, bar *b)
         if (tight) b->x += each;
         if (hit) game_choose_tool(g, i);
     }
-    if (tight && n > 0) wide = fminf(wide, (room + 6) / n - 6);
-    if (tight && n > 0) b->x = b->left, b->y += BAR_ROW;
+    bool below = tight || b->x + n * (wide + 6) - 6 > b->right;
+    float y = b->y + 1;
+    if (below && n > 0) {
+        wide = fminf(wide, (room + 6) / n - 6);
+        b->x = b->right - n * (wide + 6) + 6;
+        b->right = b->x - 6;
+        y += g->state->height < LOW ? BAR_ROW : 36;
+        if (g->state->challenge && g->state->height < LOW) b->y += BAR_ROW; /* its card */
+    }
     for (int i = 0; i < TOOL_CHOICES; i++) {
         const tool_names *c = &toolChoices[i];
         int row = m->choice[i];
         if (!(toolTable[m->tool].choices & 1u << i)) continue;
-        if (!tight) bar_room(b, wide);
-        if (ui_choice(u, c->name, b->x, b->y + 1, wide, &row,
+        if (ui_choice(u, c->name, b->x, y, wide, &row,
                       (ui_names){ tool_choice_count, tool_choice_name, c }, false)) {
             m->choice[i] = row;
             if (i == TOOL_JOINT)
@@ -450,4 +480,26 @@ void game_tool_bar(ui *u, game *g, bar *b)
         }
         b->x += wide + 6;
     }
+}
+
+/* List and Size move when they are pressed. One more of it stays under the mouse until that
+ * has left, and takes all of its clicks. */
+bool game_stays_under(const ui *u, game_state *s)
+{
+    const float *at = s->again_at;
+    bool here = s->again && fabsf(u->x * u->scale - at[0]) <= at[2] / 2 &&
+                fabsf(u->y * u->scale - at[1]) <= at[3] / 2;
+    if (!here) s->again = 0;
+    return here;
+}
+
+void game_press_again(ui *u, game *g)
+{
+    const game_state *s = g->state;
+    const button_row *row = &button_table[s->again - 1];
+    float w = fmaxf(s->again_at[2] / u->scale, UI_ICON + 1);
+    ui_button(u, row->name, s->again_at[0] / u->scale - w / 2,
+              s->again_at[1] / u->scale - 12, w, is_on(g, row));
+    if (u->click) game_press_button(g, row);
+    u->over = true;
 }

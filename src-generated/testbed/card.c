@@ -18,7 +18,9 @@ static int state_of_try(const game *g, char *line, size_t size)
     bool bodies = c->before & WF_MAY(WF_INPUT_ADD_BODY);
     const char *what = c->with && strcmp(c->with, "Bar") == 0 ? "bars" : "bodies";
     char number[64] = "", count[32] = "";
-    int used = wfWorldSteps(&g->world) > 0 ? s->kicks : s->kicks_before;
+    bool first = wfWorldSteps(&g->world) == 0;
+    int used = first ? s->kicks_before : s->kicks;
+    const char *why = c->unfit && (first || s->trial.unfit) ? c->unfit(&g->world) : NULL;
     snprintf(number, sizeof number, c->number, s->trial.shown);
     if (number[0] == '-' && number[strspn(number, "-0.")] == ' ') number[0] = '+';
     if (bodies) used = (int)wfBodyCount(&g->world) - c->given;
@@ -28,20 +30,35 @@ static int state_of_try(const game *g, char *line, size_t size)
     if (done) snprintf(line, size, "Done.   %s", number);
     else if (s->foul)
         snprintf(line, size, "This try does not count: %s.", fouls[s->foul]);
-    else if (s->trial.unfit)
-        snprintf(line, size, "%sThis try does not count: other things than you have.",
-                 count);
+    else if (why)
+        snprintf(line, size, "%sThis try does not count: other things than you have (%s).",
+                 count, why);
     else snprintf(line, size, "%s%s%s", lost ? "Not this time.   " : "", count,
-                  wfWorldSteps(&g->world) > 0 ? number : "");
-    return done ? WF_INK_GOOD : lost || s->foul ? WF_INK_BAD : WF_INK_TEXT;
+                  first ? "" : number);
+    return done ? WF_INK_GOOD : lost || s->foul || why ? WF_INK_BAD : WF_INK_TEXT;
+}
+
+void game_say_try(wfWriter *w, const game *g)
+{
+    const game_state *s = g->state;
+    char line[160];
+    state_of_try(g, line, sizeof line);
+    wfPut(w, "challenge %s\nverdict %d\nfoul %d\nkicks %d\nshown %.6g\ntry %s\n",
+        wfChallengeTable[s->challenge - 1].name, (int)s->trial.verdict, (int)s->foul,
+        (int)s->kicks, s->trial.shown, line);
 }
 
 /* As the scene has it; or at the first step, with all that was built there. */
 static void restart(game *g)
 {
-    memset(g->state->changed, 0, sizeof g->state->changed);
-    g->state->modules = 0;
-    game_open_scene(g, g->state->row);
+    game_state *s = g->state;
+    int32_t moments = game_keep_for_undo(g, false);
+    memset(s->changed, 0, sizeof s->changed);
+    s->modules = 0;
+    s->undo_at = s->undo_count = 0;
+    game_open_scene(g, s->row);
+    s->undo_at = s->undo_count = moments;
+    if (moments) game_tell(g, false, "Undo brings back what you have changed");
 }
 
 static void try_again(game *g)
@@ -51,6 +68,7 @@ static void try_again(game *g)
         game_tell(g, true, "the beginning is no longer kept: Restart");
         return;
     }
+    g->state->undo_count = g->state->undo_at;
     game_go_back(g, 1);
     game_begin_try(g);
 }

@@ -35,17 +35,17 @@ static bool lasts(bool now, double *steps, double least)
     return *steps >= least;
 }
 
-/* Are all bodies that were added free ones, and no more than may be? */
-static bool only_free(const wfWorld *world, int32_t given, int32_t most)
+/* All bodies that were added must be free ones, and no more than may be. */
+static const char *why_not_free(const wfWorld *world, int32_t given, int32_t most)
 {
     wfBodyView v = wfWorldBodies(world);
     int32_t added = 0;
     for (int32_t i = given; i < v.count; i++) {
         if (!v.alive[i]) continue;
         added++;
-        if (v.props[i].type != WF_DYNAMIC) return false;
+        if (v.props[i].type != WF_DYNAMIC) return "a body that cannot fall";
     }
-    return added <= most;
+    return added <= most ? NULL : "too many";
 }
 
 /* judges */
@@ -153,39 +153,43 @@ static void judge_tower(const wfWorld *world, wfTrial *t)
     if (lasts(still && t->shown > 4.9, &t->kept[0], 60)) t->verdict = WF_DONE;
 }
 
+static const char *beam_unfit(const wfWorld *world) { return why_not_free(world, 3, 1); }
+
 static void judge_beam(const wfWorld *world, wfTrial *t)
 {
     t->shown = (double)body(world, 1)->angle * 180 / (double)WF_PI;
-    t->unfit = !only_free(world, 3, 1);
+    t->unfit = beam_unfit(world) != NULL;
     if (t->unfit || fabs(t->shown) > 60) t->verdict = WF_LOST;
     else if (wfWorldTime(world) >= 5)
         t->verdict = fabs(t->shown) <= 2 ? WF_DONE : WF_LOST;
 }
 
-static bool is_bridge(const wfWorld *world)
+static const char *bridge_unfit(const wfWorld *world)
 {
     wfBodyView v = wfWorldBodies(world);
     for (int32_t i = 3; i < v.count; i++) {
         if (!v.alive[i]) continue;
-        if (v.props[i].shape < 0) return false;
+        if (v.props[i].shape < 0) return "a nail";
         const wfShape *s = &v.shapes[v.props[i].shape];
-        bool one = v.next[v.props[i].shape] < 0;
-        bool heavy = v.state[i].invMass < WF_R(1.0) / 120;
-        if (!one || heavy || wfShapeMaxExtent(s) > WF_R(1.45)) return false;
+        bool one = v.next[v.props[i].shape] < 0 && s->count == 4;
+        wfReal weight = v.state[i].invMass > 0 ? 1 / v.state[i].invMass : 0;
+        if (!one || v.props[i].type != WF_DYNAMIC) return "a body that is no bar";
+        if (wfShapeMaxExtent(s) > WF_R(1.45)) return "a bar longer than 2.7 m";
+        if (weight > 120) return "a bar heavier than 120 kg";
     }
     for (int32_t i = 0; i < wfWorldJointPlaces(world); i++) {
         wfJoint j;
         if (wfGetJoint(world, wfJointAt(world, i), &j) == WF_OK &&
             (j.kind != wfFindJoint("revolute") || j.flags & ~WF_JOINT_BROKEN || j.a == 2 ||
-             j.b == 2)) return false;
+             j.b == 2)) return "a joint that is no pin between bars";
     }
-    return only_free(world, 3, 20);
+    return why_not_free(world, 3, 20);
 }
 
 static void judge_bridge(const wfWorld *world, wfTrial *t)
 {
     t->shown = (double)body(world, 2)->p.y - 0.6;
-    if (t->kept[0]++ == 0) t->unfit = !is_bridge(world);
+    if (t->kept[0]++ == 0) t->unfit = bridge_unfit(world) != NULL;
     if (t->unfit || t->shown < -0.5) t->verdict = WF_LOST;
     else if (wfWorldTime(world) >= 7) t->verdict = WF_DONE;
 }
@@ -196,29 +200,31 @@ static void judge_bridge(const wfWorld *world, wfTrial *t)
 
 const wfChallenge wfChallengeTable[] = {
     { "floor", "unknown floor", "The friction of the lower floor is yours, before time runs.",
-      NULL, "%+.2f m apart", WF_MAY(WF_INPUT_MATERIAL), 0, 4, 1, 0, false, judge_floor },
+      NULL, "%+.2f m apart", WF_MAY(WF_INPUT_MATERIAL), 0, 4, 1, 0, false, judge_floor, NULL },
     { "bounce", "up to the line", "The restitution of the ball is yours, before time runs.",
-      NULL, "%.2f m high", WF_MAY(WF_INPUT_MATERIAL), 0, 2, 1, 0, false, judge_bounce },
+      NULL, "%.2f m high", WF_MAY(WF_INPUT_MATERIAL), 0, 2, 1, 0, false, judge_bounce, NULL },
     { "damper", "no swing", "The linear damping is yours, before time runs.",
       NULL, "%+.2f m from the line", WF_MAY(WF_INPUT_DAMPING), 0, 1, 0, 0, false,
-      judge_damper },
+      judge_damper, NULL },
     { "clock", "one tick a second", "The mass of the upper bob is yours, before time runs.",
-      NULL, "%.3f Hz", WF_MAY(WF_INPUT_MASS), 0, 4, 3, 0, false, judge_clock },
+      NULL, "%.3f Hz", WF_MAY(WF_INPUT_MASS), 0, 4, 3, 0, false, judge_clock, NULL },
     { "landing", "land the box", "You have three kicks, at any time.", "Kick",
       "%.1f m/s", WF_MAY(WF_INPUT_IMPULSE), WF_MAY(WF_INPUT_IMPULSE), 3, 2, 3, false,
-      judge_landing },
+      judge_landing, NULL },
     { "wall", "over the wall", "You have one kick, at any time.", "Kick",
       "%+.1f m from the basket",
-      WF_MAY(WF_INPUT_IMPULSE), WF_MAY(WF_INPUT_IMPULSE), 5, 4, 1, false, judge_throw },
+      WF_MAY(WF_INPUT_IMPULSE), WF_MAY(WF_INPUT_IMPULSE), 5, 4, 1, false, judge_throw, NULL },
     { "orbit", "a round orbit", "You have one kick, before time runs.", "Kick",
-      "farthest to nearest: %.2f", WF_MAY(WF_INPUT_IMPULSE), 0, 1, 0, 1, false, judge_orbit },
+      "farthest to nearest: %.2f", WF_MAY(WF_INPUT_IMPULSE), 0, 1, 0, 1, false, judge_orbit,
+      NULL },
     { "tower", "stack all five", "You have your hand, while time runs.", "Hand",
-      "%.2f m high", 0, 0, 6, -1, 0, true, judge_tower },
+      "%.2f m high", 0, 0, 6, -1, 0, true, judge_tower, NULL },
     { "beam", "a level beam", "You may place one body, before time runs.", "Place",
       "%+.1f degrees", WF_MAY(WF_INPUT_ADD_BODY) | WF_MAY(WF_INPUT_REMOVE_BODY), 0, 3, -1, 1,
-      false, judge_beam },
+      false, judge_beam, beam_unfit },
     { "bridge", "ten tonnes", "You have 20 bars of at most 2.7 m, before time runs.", "Bar",
-      "the load is %+.2f m up", PLACED, 0, 3, -1, 20, false, judge_bridge },
+      "the load is %+.2f m up", PLACED, 0, 3, -1, 20, false, judge_bridge,
+      bridge_unfit },
 };
 const int wfChallengeCount = (int)(sizeof wfChallengeTable / sizeof *wfChallengeTable);
 

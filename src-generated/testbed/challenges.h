@@ -28,6 +28,8 @@ typedef struct wfChallenge {
     int32_t most;               /* how many bodies may be added, or how many kicks given */
     bool    hand;               /* bodies may be held while time runs */
     void  (*judge)(const wfWorld *world, wfTrial *trial);
+    /* Why what was built does not count, or NULL. May itself be NULL. */
+    const char *(*unfit)(const wfWorld *world);
 } wfChallenge;
 #define WF_MAY(kind) ((uint64_t)1 << (kind))
 

@@ -289,6 +289,7 @@ void game_spare_controls(const game *g, camera *c)
 void game_say_controls(wfWriter *w, const game *g)
 {
     const game_state *s = g->state;
+    const char *told = game_tell_driver(g);
     control_row r = row_of_controls(g);
     bool covered = s->menu || (!s->bare && game_has_drawer(s));
     double k = (double)s->scale;
@@ -296,6 +297,7 @@ void game_say_controls(wfWriter *w, const game *g)
         covered ? 0 : (unsigned)r.all, (unsigned)s->input.held, k * (double)r.x,
         k * (double)r.y, k * (double)r.w, k * CONTROL_HIGH, k * CONTROL_GAP, r.left,
         k * (double)r.apart);
+    wfPut(w, "driver %s\n", told ? told : "");
 }
 
 /* obey the keys */

@@ -66,6 +66,7 @@ static void draw_hills(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     }
     wfDrawTextf(d, (float)car.p.x, (float)car.p.y + 1.5f, 14, WF_INK_TEXT, 0, "%.1f m/s",
                 (double)wfLength(car.v));
+    if (car.p.x >= 50) wfDrawText(d, 50, 3.2f, 16, WF_INK_GOOD, 0, "You are there.");
 }
 
 static const wfReal race_axle = WF_R(0.65), race_grip = WF_R(4.4);   /* m; N on an axle */
@@ -319,6 +320,8 @@ static void draw_runner(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
     float flag[] = { 7.6f, 4.8f, 7.0f, 4.55f, 7.6f, 4.3f };
     wfDrawLine(d, 7.6f, 3.4f, 7.6f, 4.8f, 2, WF_INK_LINE);
     wfDrawPolygon(d, flag, 3, 1.5f, WF_INK_GOOD, WF_INK_GOOD);
+    if (p.x > 7 && p.y > WF_R(4.2))
+        wfDrawText(d, 6.6f, 5.1f, 16, WF_INK_GOOD, 0, "You are there.");
 }
 
 static const wfScene row[] = {

@@ -93,7 +93,7 @@ void game_load_world(game *g)
     if (whole)
         result = wfLoadFromBytes(f->bytes + SAVE_HEAD, f->size - SAVE_HEAD, &spare, &made);
     int32_t to = row < 0 ? g->state->row : row, moments = 0;
-    if (result == WF_OK) moments = game_keep_for_undo(g, to, true);
+    if (result == WF_OK) moments = game_keep_for_undo(g, true);
     if (result == WF_OK && to != g->state->row) game_open_scene(g, to);
     if (result == WF_OK) result = game_adopt(g, &made, moments);
     wfPoolRewind(&g->scratch, mark);
@@ -136,7 +136,7 @@ void game_read_text(game *g)
     snprintf(line, sizeof line, "scene.json, line %d: %.70s %.90s", (int)e.line, e.where,
              e.what);
     if (result == WF_OK)
-        result = game_adopt(g, &made, game_keep_for_undo(g, g->state->row, true));
+        result = game_adopt(g, &made, game_keep_for_undo(g, true));
     wfPoolRewind(&g->scratch, mark);
     game_tell(g, result != WF_OK, result ? line : "read: a world from scene.json");
 }

@@ -53,16 +53,18 @@ static void interface(ui *u, game *g, double seconds)
                                  g->scene->text) - 7;
     }
     if (s->challenge) s->head += game_card(u, g, x);
-    else if (s->calm > 6 && !game_panel_covers(s) && !game_drives_any(g)) game_offer(u, g, x);
+    else if ((s->calm > 6 || s->calm < 0) && !game_panel_covers(s) && !game_drives_any(g))
+        game_offer(u, g, x, b.y + BAR_ROW + 2);
     bool covered = game_panel_covers(s);
     game_state_line(u, g, x);
     game_time_bar(u, g);
     if (s->opened && game_drives_any(g)) game_controls(u, g);
     if (s->keys) game_key_sheet(u, g, x);
-    if (s->hint && !s->keys && !covered && !game_hint_is_low(s))
+    const char *hint = game_hint(g, false);
+    if (hint && !s->keys && !covered)
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
                 s->height - FOOT - TIME_BAR - 14 - game_controls_high(g),
-                s->width < LIST_ROOM ? 13 : 16, WF_INK_ACCENT, 0, HINT);
+                s->width < LIST_ROOM ? 13 : 16, WF_INK_ACCENT, 0, hint);
     if (!drawer || s->menu) u->x = mouse;
     game_body_menu(u, g);
     u->x = s->menu ? -1e6f : mouse;
@@ -254,6 +256,8 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_obey_mouse(&g, u.over);
     if (s->ui.refused[0]) game_tell(&g, true, s->ui.refused), s->ui.refused[0] = 0;
     game_end_edit(&g);
+    if (s->opened && g.scene->demo && !s->paused && input->steps < 0 && !s->bare)
+        game_take_over(&g);
     if (s->opened) game_step_world(&g);
     if (s->opened) begin_again(&g);
     follow(&g);
@@ -329,10 +333,7 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
         (int)s->list, (int)s->panel, (int)s->back, s->rate, (int)s->dark, (int)s->keys);
     wfPut(&w, "view %.4f %.4f %.4f\nhash %016llx\n", (double)s->camera.x, (double)s->camera.y,
         (double)s->camera.height, (unsigned long long)wfHashWorld(&g.world));
-    if (s->challenge)
-        wfPut(&w, "challenge %s\nverdict %d\nfoul %d\nkicks %d\nshown %.6g\n",
-            wfChallengeTable[s->challenge - 1].name, (int)s->trial.verdict, (int)s->foul,
-            (int)s->kicks, s->trial.shown);
+    if (s->challenge) game_say_try(&w, &g);
     /* say what is compared and looked into */
     wfPut(&w, "pair %d %d\nworlds %d\ncurves %d\n", (int)s->look.shapeA,
         (int)s->look.shapeB, s->worlds < 1 ? 1 : (int)s->worlds, (int)game_curves(s));

@@ -31,10 +31,15 @@ enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
 enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
+
 enum { UNDO_BYTES = 8 * 1024 * 1024, UNDO_MOST = 64 };
 /* Where a moment lies in the bytes of undo, how long it is, the step up to which the next
- * one has the same past, its scene. */
-typedef struct undo_moment { size_t at, size; uint64_t step; int32_t row; } undo_moment;
+ * one has the same past, its scene; of a try at a challenge what was known. */
+typedef struct undo_moment {
+    size_t at, size;
+    uint64_t step, tried;
+    int32_t row, foul, kicks;
+} undo_moment;
 enum { STAGES = 64 };               /* of a step, at most, that are timed */
 enum { OTHERS = 3, OTHER_BYTES = 4 * 1024 * 1024 };
 #include "testbed/challenges.h"
@@ -64,6 +69,8 @@ typedef struct game_state {
     /* what the game remembers of settings and time */
     uint32_t wanted_on, wanted_off;     /* overlays, other than the scene says */
     tool_memory tools;
+    int32_t again;                      /* 1 + a button that stays under the mouse; 0: none */
+    float again_at[4];                  /* ... where: its middle and size, pixels */
     wfBodyId hover;                     /* the body under the mouse; index 0: none */
     int32_t menu;                       /* its menu is open, here: units */
     float menu_x, menu_y;
@@ -75,6 +82,7 @@ typedef struct game_state {
     int32_t grasped;                    /* 1 + the control under mouse or finger; 0: none */
     int32_t ends;                       /* 1: a scene that is empty stays so */
     int32_t no_legend;                  /* 1: none stands on the picture */
+    float keys_scroll;                  /* of the key sheet, units */
     double empty;                       /* s since the last body has left */
     float seen_x, seen_y, seen_width, seen_height;      /* the mouse, the picture before */
     int32_t narrow, wide[3];            /* less than LIST_ROOM; list, tools, panel with more */
@@ -117,12 +125,15 @@ typedef struct game_state {
     int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
     int32_t bar;                        /* the tools are shown */
     float panel_scroll, head;           /* head: height of the strip at the top, units */
-    uint8_t changed[128];               /* which settings the user has changed ... */
+    uint8_t changed[128];               /* parts of settings that the user has changed ... */
     double wanted[128][2];              /* ... and to what */
+    uint8_t known[128];                 /* what the scene has is known ... */
+    double own[128][2];                 /* ... and this */
     uint32_t modules, wished;           /* instead of the scene's own; to be: 0: its own */
     double seconds[STAGES];             /* that the stages took ... */
     int64_t timed;                      /* ... in so many steps */
     wfBodyId plotted;                   /* whose own curves are kept */
+    int32_t tables;                     /* curves that were sent to files */
     wfLook look;                        /* what the overlays look into ... */
     int32_t pinned;                     /* ... 1: and it does not follow the mouse */
     int32_t curves, lent;               /* plots that are shown, a bit each: the user's, and
@@ -140,7 +151,7 @@ typedef struct game_state {
     int32_t allowed;                    /* what changed since the last step was allowed */
     uint64_t given, tried;              /* checksum of the scene as made; after a step */
     wfTrial trial;
-    double calm;                        /* s since anything moved */
+    double calm;        /* s since anything moved; < 0: so long until offers that were used go */
 } game_state;
 
 /* What one call works with. Gone when it returns. */
@@ -199,9 +210,10 @@ bool game_keep_world(game *g);
 bool game_leave_world(game *g, int32_t spared);
 void game_drop_moment(game *g);
 bool game_was_changed(const game_state *s);             /* this scene, by its user */
+void game_see_wishes(game *g);          /* settings may be others than they were */
 /* Another world takes the place of this: keeps it if it was changed, or in any case, and
  * returns how many moments there are then. */
-int32_t game_keep_for_undo(game *g, int row, bool always);
+int32_t game_keep_for_undo(game *g, bool always);
 wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
 bool game_drives(const game *g, uint32_t bit);          /* this key drives the scene */
@@ -230,6 +242,8 @@ void game_draw_panes(game *g, frame_buffer *buffer, const wfPalette *palette);
 /* a try at a challenge; only where the scene is one */
 WF_APART void game_begin_challenge(game *g);
 WF_APART void game_look_at_change(game *g, const wfInput *in);
+WF_APART void game_keep_try(const game *g, undo_moment *m);
+WF_APART void game_return_to_try(game *g, const undo_moment *m);
 WF_APART void game_before_step(game *g);
 WF_APART void game_after_step(game *g);
 void game_begin_try(game *g);

@@ -67,7 +67,7 @@ void game_open_scene(game *g, int row)
 {
     game_state *s = g->state;
     row = (row + game_scene_count(g)) % game_scene_count(g); /* after the last, the first */
-    int32_t before = s->undo_at, moments = game_keep_for_undo(g, row, false);
+    int32_t before = s->undo_at, moments = game_keep_for_undo(g, false);
     s->tools.said[0] = 0;                                   /* it was about another world */
     s->tools.refused = s->tools.probed = s->tools.down = s->tools.points = 0;
     bool same = s->row == row && s->opened;
@@ -119,6 +119,7 @@ void game_open_scene(game *g, int row)
     s->plots.count = 0;
     if (!same) {
         memset(s->changed, 0, sizeof s->changed);
+        memset(s->known, 0, sizeof s->known);
         game_show_overlays(g);
         game_look_home(g);
     }
@@ -231,8 +232,7 @@ void game_go_back(game *g, uint64_t before)
     wfRewind copy = g->ring;
     game_state *s = g->state;
     if (before == 0) return;
-    if (!s->back && game_was_changed(s) && !g->scene->alias && game_keep_world(g))
-        s->undo_at++;
+    if (!s->back && game_was_changed(s) && game_keep_world(g)) s->undo_at++;
     if (wfRewindTo(&copy, &g->world, before - 1) != WF_OK) return;
     s->back = s->paused = 1;
     s->result = WF_OK;
@@ -282,9 +282,24 @@ static void keep_wishes(game *g)
     wfWorldDef def;
     if (!s->opened || wfGetWorldDef(&g->world, &def) != WF_OK) return;
     for (int i = 0; i < wfSettingCount && i < 128; i++)
-        for (int part = 0; s->changed[i] && part < 2; part++)
-            wfPutSetting(&def, &wfSettingTable[i], part, s->wanted[i][part]);
+        for (int part = 0; part < 2; part++)
+            if (s->changed[i] >> part & 1)
+                wfPutSetting(&def, &wfSettingTable[i], part, s->wanted[i][part]);
     s->result = wfSetWorldDef(&g->world, &def);
+}
+
+/* Settings were changed, or that was taken back: which are not the scene's any more? */
+void game_see_wishes(game *g)
+{
+    game_state *s = g->state;
+    wfWorldDef def;
+    if (!s->opened || wfGetWorldDef(&g->world, &def) != WF_OK) return;
+    for (int i = 0; i < wfSettingCount && i < 128; i++)
+        for (int part = 0; s->known[i] && part < 2; part++) {
+            s->wanted[i][part] = wfSettingValue(&def, &wfSettingTable[i], part);
+            int bit = 1 << part, other = s->wanted[i][part] != s->own[i][part];
+            s->changed[i] = (uint8_t)((s->changed[i] & ~bit) | (other ? bit : 0));
+        }
 }
 
 bool game_goes_along(const game_state *s, int i)

@@ -45,7 +45,7 @@ static void tilt(game *g)
     game_tell(g, result != WF_OK, result ? wfResultText(result) : "tilted");
 }
 
-void game_offer(ui *u, game *g, float x)
+void game_offer(ui *u, game *g, float x, float beside)
 {
     static const struct { const char *name, *text; void (*act)(game *g); } offer[] = {
         { "Throw a ball", "into the scene, from the left", throw_ball },
@@ -54,12 +54,15 @@ void game_offer(ui *u, game *g, float x)
     game_state *s = g->state;
     float y = s->head + 8;                      /* what rests, rests below */
     bar b = { x, s->width - 8 - game_beside(s), x, y, false, 0, 0 };
+    if (s->height >= LOW && b.right - x > 800)  /* behind the scene's name */
+        b.x = b.left = b.right - 280, b.y = beside;
+    else
     if (game_curves(s) || game_has_panes(s))
         b.y = s->height - FOOT - TIME_BAR - 32 - game_controls_high(g);
     for (int i = 0; i < 3; i++) {
         if (!bar_button(u, &b, offer[i].name, false, offer[i].text)) continue;
         offer[i].act(g);
-        s->calm = 0;
+        s->calm = -8;
         s->paused = 0;
     }
 }

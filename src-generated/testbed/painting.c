@@ -27,6 +27,7 @@ bool game_may_take(const game *g)
     const game_state *s = g->state;
     int32_t i = wfBodyIndex(&g->world, s->hover);
     if (i < 0) return false;
+    if (toolTable[s->tools.tool].key == 'l') return tool_is_chosen(&s->tools, s->hover);
     return s->tools.tool > 0 || wfWorldBodies(&g->world).props[i].type == WF_DYNAMIC;
 }
 

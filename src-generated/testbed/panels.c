@@ -513,7 +513,7 @@ static float joint_panel(ui *u, game *g, wfJointId id, float x, float y, float w
     if (wfGetJoint(&g->world, id, &j) != WF_OK) return y;
     bool broken = (j.flags & WF_JOINT_BROKEN) != 0;
     snprintf(text, sizeof text, "joint %d, %s%s, between", (int)id.index - 1,
-             wfJointTable[j.kind].name, broken ? ", broken" : "");
+             tool_joint_name(&j), broken ? ", broken" : "");
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y = joint_ends(u, g, &j, x, y + UI_LINE, w);
     for (int i = 0; i < 3; i++) {
@@ -556,7 +556,7 @@ static float joint_rows(ui *u, game *g, wfBodyId id, float x, float y, float w)
         char name[GAME_NAME_SIZE];
         if (!panel_shows(g, y, UI_LINE) || wfGetJoint(&g->world, at, &j) != WF_OK) continue;
         snprintf(name, sizeof name, "joint %d: %s", (int)at.index - 1,
-                 wfJointTable[j.kind].name);
+                 tool_joint_name(&j));
         tool_work t = game_tools_of(g);
         if (ui_row(u, name, x, y, w, false)) tool_choose_joint(&t, at);
     }

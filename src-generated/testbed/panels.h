@@ -56,8 +56,9 @@ bool game_stays_under(const ui *u, game_state *s);
 void game_press_again(ui *u, game *g);
 void game_tool_bar(ui *u, game *g, bar *b);
 void game_state_line(ui *u, const game *g, float x);
-#define HINT "Grab something: drag it, and throw it."
-bool game_hint_is_low(const game_state *s);     /* on the last line, not in the picture */
+/* What is to be said in the picture, or, low, on the last line; or NULL. */
+const char *game_hint(const game *g, bool low);
+WF_APART const char *game_tell_driver(const game *g);
 void game_key_sheet(ui *u, game *g, float x);
 void game_open_menu(game *g, float x, float y);         /* pixels */
 void game_body_menu(ui *u, game *g);
@@ -90,7 +91,9 @@ void game_controls(ui *u, game *g);
 float game_controls_high(const game *g);                /* units: of the row below */
 void game_spare_controls(const game *g, camera *c);
 void game_say_controls(wfWriter *w, const game *g);
+WF_APART void game_take_over(game *g);
 void game_draw_mark(ui *u, const game_state *s);
 WF_APART float game_card(ui *u, game *g, float x);
-WF_APART void game_offer(ui *u, game *g, float x);
+void game_say_try(wfWriter *w, const game *g);
+WF_APART void game_offer(ui *u, game *g, float x, float beside);
 #endif

@@ -143,7 +143,9 @@ static void end_step(game *g, wfReal h)
     /* after each step */
     step_others(g, h);
     if (g->state->challenge) game_after_step(g);
-    g->state->calm = game_is_calm(g) ? g->state->calm + (double)h : 0; /* for the offers */
+    double calm = g->state->calm;                       /* for the offers */
+    bool used = calm < 0, rests = (used && calm + (double)h < 0) || game_is_calm(g);
+    g->state->calm = !rests ? 0 : used && calm + (double)h >= 0 ? 7 : calm + (double)h;
 }
 
 void game_step_world(game *g)

@@ -48,7 +48,7 @@ void game_press_replay(game *g)
         return;
     }
     bool again = s->tape == TAPE_REPLAYING;             /* what was there is kept already */
-    int32_t moments = again ? s->undo_at : game_keep_for_undo(g, s->tape_row, true);
+    int32_t moments = again ? s->undo_at : game_keep_for_undo(g, true);
     if (s->row != s->tape_row) game_open_scene(g, s->tape_row);
     s->result = rewind_tape(g);
     s->undo_at = s->undo_count = moments;

@@ -9,7 +9,13 @@
 #include "weft/joint.h"
 #include "weft/query.h"
 
-/* say what a tool did */
+/* So much of a sentence is for those who don't program. */
+int tool_plain(const char *why)
+{
+    const char *call = strstr(why, ": wf");
+    return call ? (int)(call - why) : TOOL_WORDS;
+}
+
 #ifdef __GNUC__
 __attribute__((format(printf, 3, 4)))
 #endif
@@ -21,7 +27,8 @@ static void say(tool_memory *m, wfResult result, const char *format, ...)
     va_end(list);
     m->refused = result != WF_OK;
     if (result == WF_OK || n < 0 || (size_t)n >= sizeof m->said) return;
-    snprintf(m->said + n, sizeof m->said - (size_t)n, ": %s", wfResultText(result));
+    const char *why = wfResultText(result);
+    snprintf(m->said + n, sizeof m->said - (size_t)n, ": %.*s", tool_plain(why), why);
 }
 
 static void say_no(tool_memory *m, const char *why)
@@ -183,7 +190,7 @@ WF_APART void tool_choose_joint(tool_work *w, wfJointId id)
     if (wfGetJoint(w->world, id, &j) != WF_OK) return;
     w->memory->joint = id;
     say(w->memory, WF_OK, "chosen: joint %d, %s. Settings, page Body, has its numbers",
-        (int)id.index - 1, wfJointTable[j.kind].name);
+        (int)id.index - 1, tool_joint_name(&j));
 }
 
 static void press_hand(tool_work *w)
@@ -194,7 +201,7 @@ static void press_hand(tool_work *w)
     choose_one(w);
     if (!first && wfWorldJointPlaces(w->world) > 0)
         near = tool_pick_joint(w, m->at, last);
-    m->near = near.index == last.index ? (wfJointId){ 0, 0 } : near;
+    m->near = near.index == last.index && m->body.index ? (wfJointId){ 0, 0 } : near;
 }
 
 static void click_joint(tool_work *w)
@@ -456,10 +463,17 @@ static wfBodyId body_at(const tool_work *w, wfVec2 at, wfBodyId but)
     return found;
 }
 
-static const struct { const char *name, *kind, *text; } more_joints[] = {
-    { "spring", "distance", "pulls two points to the distance that they have now" },
-    { "rope", "distance", "two points come no farther apart than they are now" },
-    { "motor", "revolute", "a hinge that turns by itself" } };
+static const struct {
+    const char *name, *kind, *made;
+    int32_t flag;                   /* what such a joint has besides its kind */
+    const char *text;
+} more_joints[] = {
+    { "spring", "distance", "distance (spring)", WF_JOINT_SPRING,
+      "pulls two points to the distance that they have now" },
+    { "rope", "distance", "distance (rope)", WF_JOINT_LIMITS,
+      "two points come no farther apart than they are now" },
+    { "motor", "revolute", "revolute (motor)", WF_JOINT_MOTOR,
+      "a hinge that turns by itself" } };
 enum { MORE_JOINTS = sizeof more_joints / sizeof *more_joints };
 
 static const char *joint_name(int row)
@@ -472,6 +486,15 @@ const char *tool_joint_text(int row)
 {
     if (row < wfJointKinds) return wfJointTable[row].text;
     return more_joints[row - wfJointKinds].text;
+}
+
+const char *tool_joint_name(const wfJoint *j)
+{
+    for (int i = 0; i < MORE_JOINTS; i++)
+        if ((j->flags & more_joints[i].flag) &&
+            strcmp(wfJointTable[j->kind].name, more_joints[i].kind) == 0)
+            return more_joints[i].made;
+    return wfJointTable[j->kind].name;
 }
 
 static int joint_kind(int row)
@@ -556,9 +579,12 @@ static wfResult add_joint(tool_work *w, int row, wfBodyId a, wfBodyId b, wfVec2 
                             &v.state[k], from, to, axis);
     complete_joint(w, name, &j, from, to);
     wfInput in = { .kind = WF_INPUT_ADD_JOINT, .joint = j };
-    wfResult result = tool_give(w, WF_MODULE_JOINTS, &in, NULL);
-    if (result != WF_ERROR_SOLVER || choose_solver(w, "soft") != WF_OK) return result;
-    return tool_give(w, WF_MODULE_JOINTS, &in, NULL);
+    wfInputId made = { 0, 0 };
+    wfResult result = tool_give(w, WF_MODULE_JOINTS, &in, &made);
+    if (result == WF_ERROR_SOLVER && choose_solver(w, "soft") == WF_OK)
+        result = tool_give(w, WF_MODULE_JOINTS, &in, &made);
+    w->memory->near = (wfJointId){ made.index, made.generation };
+    return result;
 }
 
 static bool has_two_anchors(int row)
@@ -594,6 +620,7 @@ static void connect(tool_work *w)
     int row = m->choice[TOOL_JOINT];
     wfBodyId other = body_at(w, m->at, m->body);
     wfResult result = join(w, row, m->body, other, m->from, m->at);
+    if (result == WF_OK) tool_choose_joint(w, m->near);
     if (result == WF_ERROR_STALE_ID) say_no(m, "there is no body");
     else say(m, result, result ? "not joined" : m->body.index && other.index ?
              "joined: %s" : "joined to the ground: %s", joint_name(row));
@@ -690,7 +717,7 @@ static bool remove_joint(tool_work *w, wfJointId id)
     wfResult result = tool_put(w, &in, NULL);
     w->memory->joint = (wfJointId){ 0, 0 };
     say(w->memory, result, result ? "not removed" : "removed: a joint, %s",
-        wfJointTable[j.kind].name);
+        tool_joint_name(&j));
     return true;
 }
 

@@ -86,9 +86,12 @@ wfResult tool_put(tool_work *w, const wfInput *in, wfInputId *made);
  * full. Errors of wfGiveInput. */
 wfResult tool_give(tool_work *w, uint32_t modules, const wfInput *in, wfInputId *made);
 const char *tool_joint_text(int row);   /* of a row of the choice of joints */
+/* Its kind, and in brackets which of the tool's that is: "distance (spring)". */
+WF_APART const char *tool_joint_name(const wfJoint *j);
 /* Forgets who was removed meanwhile; chooses one body alone (index 0: nobody). */
 void tool_forget(tool_work *w);
 void tool_choose(tool_memory *m, wfBodyId id);
+int tool_plain(const char *why);        /* letters of it that name no call */
 void tool_lead(tool_memory *m, wfBodyId id);    /* the first of the chosen, or it alone */
 bool tool_is_chosen(const tool_memory *m, wfBodyId id);
 /* The body that is meant by a place: index 0: none. */

@@ -29,6 +29,7 @@ void game_begin_challenge(game *g)
     const char *with = challenge_of(g)->with, *tool = toolTable[g->state->tools.tool].name;
     if (!with || strcmp(with, tool) != 0) g->state->tools.tool = 0;     /* the hand */
     g->state->given = g->state->opened ? sum_of(g) : 0;
+    g->state->tried = 0;
     if (g->input->steps < 0) g->state->paused = g->state->waits = 1;    /* for its reader */
 }
 
@@ -78,7 +79,25 @@ void game_begin_try(game *g)
     if (sum == s->given) s->foul_before = s->kicks_before = 0;
     s->foul = settings ? FOUL_SETTINGS : s->foul_before;
     s->kicks = s->kicks_before;
+    s->tried = 0;
     s->trial = (wfTrial){ 0 };
+}
+
+/* The last moment of undo, and one that undo comes back to. */
+void game_keep_try(const game *g, undo_moment *m)
+{
+    const game_state *s = g->state;
+    m->foul = s->read || s->modules ? FOUL_SETTINGS : s->foul_before;
+    m->kicks = s->kicks_before;
+    m->tried = s->tried;
+}
+
+void game_return_to_try(game *g, const undo_moment *m)
+{
+    game_state *s = g->state;
+    s->foul_before = m->foul;
+    s->kicks_before = m->kicks;
+    if (wfWorldSteps(&g->world) > 0 && m->tried != s->tried) s->foul = FOUL_TIME;
 }
 
 void game_before_step(game *g)

@@ -88,9 +88,12 @@ static void go_to(game *g, int32_t to, uint64_t common)
     if (s->result != WF_OK) return;
     memcpy(s->changed, from, sizeof s->changed);
     memcpy(s->wanted, from + sizeof s->changed, sizeof s->wanted);
+    game_see_wishes(g);
+    /* come back to a moment */
     s->undo_at = to;
     s->held = (wfBodyId){ 0 };
     s->tools.count = s->tools.down = 0;
+    if (s->challenge) game_return_to_try(g, m);
     s->posed = 0;
     s->ring_due = 1;
     s->editing = s->back = 0;
