@@ -317,7 +317,7 @@ static bool last_words(const game *g, char line[200], int *ink)
     const char *hint = game_hint(g, true);
     if (hint) *ink = WF_INK_ACCENT;
     snprintf(line, 200, "%s", hint ? hint :
-             s->finger ? "drag bodies, or the view   two fingers: zoom   rest on one: menu" :
+             s->finger ? "drag bodies, or the view   two fingers: zoom   rest: menu" :
              "?: all keys   drag: hold and throw   right drag: move the view   "
              "wheel: zoom   right click on a body: menu");
     return false;

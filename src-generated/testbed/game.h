@@ -145,7 +145,7 @@ typedef struct game_state {
     int32_t allowed;                    /* what changed since the last step was allowed */
     uint64_t given, tried;              /* checksum of the scene as made; after a step */
     wfTrial trial;
-    double calm;        /* s since anything moved; < 0: so long until offers that were used go */
+    double calm;    /* s since anything moved; < 0: until used offers go */
 } game_state;
 
 /* What one call works with. Gone when it returns. */
