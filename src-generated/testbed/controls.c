@@ -146,7 +146,10 @@ static bool moves_mark(game_state *s, int32_t key)
     else if (key == GAME_KEY_RIGHT) s->mark_x += step;
     else if (key == GAME_KEY_UP) s->mark_y -= step;
     else if (key == GAME_KEY_DOWN) s->mark_y += step;
-    else return false;
+    else {
+        if (key == GAME_KEY_PAGE_DOWN || key == GAME_KEY_PAGE_UP) s->mark = 0;
+        return false;
+    }
     return true;
 }
 
@@ -156,7 +159,7 @@ void game_obey_mark(game_state *s, game_input *in)
     int32_t kept = 0;
     if (in->mouse_x != s->hand_x || in->mouse_y != s->hand_y) s->mark = 0;
     s->hand_x = in->mouse_x, s->hand_y = in->mouse_y;
-    if (!s->mark || s->ui.focus || s->ui.typing) return;
+    if (!s->mark || s->menu || s->ui.focus || s->ui.typing) return;
     for (int32_t i = 0; i < in->key_count && i < GAME_MAX_KEYS; i++) {
         if (in->keys[i] == GAME_KEY_ENTER) {
             s->mark_down = !s->mark_down;
@@ -175,7 +178,7 @@ static void put_mark(game *g)
 {
     game_state *s = g->state;
     s->mark = !s->mark;
-    s->mark_down = 0;
+    s->mark_down = s->ui.focus = 0;
     s->mark_x = s->camera.left + s->camera.wide / 2;
     s->mark_y = s->camera.top + s->camera.high / 2;
 }
@@ -401,7 +404,9 @@ void game_obey_key(game *g, int32_t key)
         s->menu = s->keys = 0;
         break;
     default:
-        if (!s->ui.focus && !(s->driven && game_key_bit(key)) &&
+        if (s->menu) s->menu_way += (key == GAME_KEY_DOWN) - (key == GAME_KEY_UP);
+        if (s->menu) s->menu_do |= key == GAME_KEY_ENTER;
+        else if (!s->ui.focus && !(s->driven && game_key_bit(key)) &&
             !game_drives(g, game_key_bit(key))) obey_view_key(g, key);
         break;
     }

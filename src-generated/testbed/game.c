@@ -56,7 +56,7 @@ static void interface(ui *u, game *g, double seconds)
     game_state_line(u, g, x);
     game_time_bar(u, g);
     if (s->opened && game_drives_any(g)) game_controls(u, g);
-    if (s->keys) game_key_sheet(u, s, x);
+    if (s->keys) game_key_sheet(u, s, x), u->tip = NULL;
     if (s->hint && !s->keys && !covered && !game_hint_is_low(s))
         ui_text(u, (game_list_side(s) + s->width - game_beside(s)) / 2,
                 s->height - FOOT - TIME_BAR - 14 - game_controls_high(g),

@@ -65,7 +65,7 @@ typedef struct game_state {
     uint32_t wanted_on, wanted_off;     /* overlays, other than the scene says */
     tool_memory tools;
     wfBodyId hover;                     /* the body under the mouse; index 0: none */
-    int32_t menu;                       /* its menu is open, here: units */
+    int32_t menu, menu_way, menu_do;    /* its menu is open, here: units; arrows, Enter */
     float menu_x, menu_y;
     double rest;                        /* s that a finger has rested where it came down */
     float asked_x, asked_y;             /* pixels: there */

@@ -139,7 +139,8 @@ static uint32_t controls_of(const wfScene *scene)
 bool game_drives(const game *g, uint32_t bit)
 {
     const game_state *s = g->state;
-    return !s->mark && !s->ui.focus && !s->ui.typing && (controls_of(g->scene) & bit);
+    return !s->mark && !s->menu && !s->ui.focus && !s->ui.typing &&
+           (controls_of(g->scene) & bit);
 }
 
 bool game_drives_any(const game *g) { return controls_of(g->scene) != 0; }

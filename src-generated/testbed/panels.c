@@ -135,14 +135,17 @@ bool game_set(game_memory *memory, const char *name, double value)
     static const game_input none = { 0 };
     game g;
     game_begin_call(&g, memory, &none);
-    for (int i = 0; i < wfSettingCount && g.state->opened; i++) {
+    game_state *s = g.state;
+    bool was = game_was_changed(s);
+    for (int i = 0; i < wfSettingCount && s->opened; i++) {
         const wfSetting *row = &wfSettingTable[i];
         size_t n = strlen(row->name);
         int part = row->kind == WF_SETTING_VEC2 && strcmp(name + n, ".x") != 0;
         if (strncmp(name, row->name, n) != 0 || (name[n] && name[n] != '.')) continue;
         change_setting(&g, i, part, value);
         game_end_edit(&g);
-        return g.state->result == WF_OK;
+        if (!was && game_was_changed(s)) s->undo_at = --s->undo_count;  /* nobody's work */
+        return s->result == WF_OK;
     }
     return false;
 }

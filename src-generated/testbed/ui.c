@@ -44,6 +44,9 @@ ui ui_look(ui_memory *memory, const game_input *input, float width, float height
              .held = input->held & GAME_BUTTON_LEFT, .finger = input->finger != 0,
              .room = { 0, 0, width, height } };
     u.click = u.press;
+    bool rests = memory->mouse_x == input->mouse_x && memory->mouse_y == input->mouse_y;
+    memory->quiet = input->key_count > 0 || (memory->quiet && rests);
+    memory->mouse_x = input->mouse_x, memory->mouse_y = input->mouse_y;
     take_finger(&u, input);
     take_keys(&u, input);
     if (u.press) memory->focus = 0;
@@ -640,6 +643,7 @@ void ui_finish(ui *u, double seconds)
         return;
     }
     if (m->open && u->menu_size) draw_menu(u);
+    if (m->quiet) u->tip = NULL;
     if (u->tip) m->rested += seconds;
     else m->rests = 0, m->rested = 0;
     if (u->tip && u->tip[0] && !m->active) draw_tip(u);

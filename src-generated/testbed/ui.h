@@ -24,6 +24,8 @@ typedef struct ui_memory {
     int32_t focus, count;       /* who has the keys, from 1; how many there were */
     uint32_t rests;             /* over whom the mouse rests, and for how long, s */
     double rested;
+    float mouse_x, mouse_y;     /* pixels */
+    int32_t quiet;              /* a key came since it moved: no tips */
     int32_t typing, all;        /* letters go to the query; to the place of all of it */
     uint32_t edits;             /* which number is being typed; 0: none */
     int32_t edited;             /* ... and that it is ready */
