@@ -48,11 +48,13 @@ const tryFigure = async (page, figure, name, where, frozen) => {
     check(await ink(figure) !== home, `${where}: the arrow keys change nothing in ${name}`);
     await figure.getByRole('button', { name: 'Reset' }).click();
   }
+  const named = await figure.locator('.live-bar button').evaluateAll(all => all.filter(b => b.hasAttribute('aria-label') && !b.getAttribute('aria-label').includes(b.textContent)).length);
+  check(!named, `${where}: ${name} has buttons that are called by other words than those on them`);
   if (await figure.getAttribute('data-moves')) {
-    await figure.getByRole('button', { name: 'let time run' }).click();
+    await figure.getByRole('button', { name: 'Play' }).click();
     await page.waitForTimeout(400);
     check(await ink(figure) !== home, `${where}: time runs, and ${name} does not move`);
-    await figure.getByRole('button', { name: 'let time run' }).click();
+    await figure.getByRole('button', { name: 'Pause' }).click();
   }
   const code = await figure.getAttribute('data-code');
   check(code && await page.evaluate(c => !c.startsWith('#') || !!document.getElementById(c.slice(1)), code), `${where}: ${name} has no link to its code`);
