@@ -11,17 +11,22 @@
   // what the game wants of files: the world of the address, and a world that goes into one; a larger one is a file
   game.own = (wish, name, bytes) => {
     if (wish === 3 && name === 'link.save') { copy(bytes); return bytes; }
-    if (wish === 1 && name === 'world.save' && keeping) { sessionStorage.setItem(KEPT, keeping + binary(bytes)); keeping = ''; return bytes; }
+    if (wish === 1 && name === 'world.save') { (keeping ? put : settle)(bytes); return bytes; }
     if (wish === 3 && name === 'scene.json') { write(bytes); return bytes; }
-    if (wish === 2 && name === 'scene.json') return choose('.json,application/json');
+    if (wish === 2 && name === 'scene.json') return choose('.json,application/json,.save,.weft');
     if (wish !== 2 || name !== 'world.save') return null;
-    if (!linked) return localStorage.getItem('weft/world.save') === null ? choose('.save') : null;
+    if (!linked && localStorage.getItem('weft/world.save') === null) return choose('.save,.weft');
     const came = linked;
+    if (!came) return null;
     linked = null;
     return came;
   };
   // scenes as text: the module that reads those of the list makes a saved world of one, and the text of a world
   const say = text => game.act(x => { game.put(x, x.web_name(), text.replace(/[^ -~]/g, '?').slice(0, 118)); x.web_news(); });
+  const settle = bytes => {
+    localStorage.setItem('weft/world.save', btoa(binary(bytes)));
+    say(`kept in this browser: world.save, ${bytes.length} bytes; A loads it, Read JSON one in a file`);
+  };
   const write = async bytes => {
     const { x } = await game.json(), head = x.json_info_size(), put = (at, part) => new Uint8Array(x.memory.buffer, at, part.length).set(part);
     put(x.json_info(), bytes.subarray(0, head));
@@ -68,7 +73,9 @@
     if (scene) game.open(scene);
     await game.more();
     game.frame(0, 0);
-    for (const [name, value] of told) game.set(name, +value);
+    if (lost()) return;
+    const bad = [...told].filter(([name, value]) => !value.trim() || isNaN(value) || !game.set(name, +value)).map(([name, value]) => `${name}=${value}`);
+    if (bad.length) say(`!the address asks for what can't be set: ${bad.join(', ')}`);
     if (!world) return;
     try {
       load(await through(bytesOf(world), new DecompressionStream('deflate-raw')));
@@ -81,18 +88,30 @@
     game.key(97);                                      // A: load
     frames();
   };
-  // A reload brings the world back. As the page goes, a world that was changed is written into the tab's own storage, and the next page of the
-  // same scene loads it. In a challenge nothing is kept, for a try begins at its beginning; where there is no storage, or too little, neither.
-  const KEPT = 'weft/tab';
-  let keeping = '';                                    // the scene's address and whether time stands, while a world is being kept
+  // Back and a reload bring the world back. As the page goes, a world that was changed is written into the tab's own storage, under its address;
+  // the next page of this address loads it. In a challenge nothing is kept, for a try begins at its beginning; where there is no storage, or too
+  // little, neither. The newest eight stay, as far as there is room.
+  const KEPT = 'weft/tab ', here = () => KEPT + location.hash;
+  const slots = () => Object.keys(sessionStorage).filter(name => name.startsWith(KEPT)).sort((a, b) => parseInt(sessionStorage[b], 10) - parseInt(sessionStorage[a], 10));
+  let keeping = '';                                    // when, and whether time stands, while a world is being kept
+  const put = bytes => {
+    const text = keeping + binary(bytes), old = slots();
+    keeping = '';
+    old.splice(7).forEach(name => sessionStorage.removeItem(name));
+    for (;;) {
+      try { sessionStorage.setItem(here(), text); return; } catch (e) { if (!old.length) throw e; }
+      sessionStorage.removeItem(old.pop());
+    }
+  };
   const keep = () => {
     try {
-      sessionStorage.removeItem(KEPT);
+      follow(true);
+      sessionStorage.removeItem(here());
       const now = going ? '' : link();
       if (!now || now.startsWith('challenge=') || !game.act(x => x.web_work())) return;
       if (game.act(x => x.web_letters())) game.key(27);
       frames();
-      keeping = `${now}\n${/^paused 1$/m.test(game.describe()) ? 1 : 0}\n`;
+      keeping = `${Date.now()}\n${/^paused 1$/m.test(game.describe()) ? 1 : 0}\n`;
       game.key(119);                                   // W: save
       frames();
       say('');
@@ -101,27 +120,32 @@
   };
   const restore = async () => {
     let kept = '';
-    try { kept = sessionStorage.getItem(KEPT) || ''; sessionStorage.removeItem(KEPT); } catch (e) { return; }
-    const [now, still] = kept.split('\n', 2), from = now.length + 3;
-    if (!kept || sceneOf(now) !== sceneOf(first)) return;
+    try { kept = sessionStorage.getItem(here()) || ''; sessionStorage.removeItem(here()); } catch (e) { return; }
+    const [when, still] = kept.split('\n', 2);
+    if (!kept) return;
     await game.more();
-    load(Uint8Array.from(kept.slice(from), c => c.charCodeAt(0)));
+    load(Uint8Array.from(kept.slice(when.length + 3), c => c.charCodeAt(0)));
     if (/^paused 1$/m.test(game.describe()) !== (still === '1')) game.key(112);
     say('your world is here again, as it was before the reload; Reset begins anew');
     game.frame(0, 0);
   };
-  // another scene is a step of the page's history, another setting is not
+  // another scene is a step of the page's history; another setting is not, nor what stands for a scene that there is none of
   const sceneOf = text => text.replace(/&.*/, '');
   const begins = hash => { const scene = (named(hash) || 'tumbler').replace(/ /g, '-'); return (scene.startsWith('challenge=') ? '' : 'scene=') + scene; };
   let shown = begins(location.hash.slice(1)), going = false;
-  const first = shown;
-  const follow = () => {
-    const now = document.hidden || going ? shown : link();
+  const first = shown, lost = () => /^said there is no scene /m.test(game.describe());
+  const follow = leaves => {
+    const now = (document.hidden && !leaves) || going ? shown : link();
     if (!now || now === shown) return;
     history[sceneOf(now) === sceneOf(shown) ? 'replaceState' : 'pushState'](null, '', '#' + now);
     shown = now;
   };
-  const came = async hash => { going = true; await go(hash); shown = link(); going = false; };
+  const arrive = () => {
+    shown = link() || shown;
+    if (lost()) history.replaceState(null, '', '#' + shown);
+    going = false;
+  };
+  const came = async hash => { going = true; await go(hash); arrive(); };
   // a file that is chosen or dropped on the page goes to the game by its card; what it is, and what is wrong with it, the game says
   addEventListener('dragover', e => { if (e.dataTransfer.types.includes('Files')) e.preventDefault(); });
   addEventListener('drop', e => { if (e.dataTransfer.files[0]) e.preventDefault(); take(e.dataTransfer.files[0]); });
@@ -141,13 +165,14 @@
   };
   (async () => {
     going = true;
+    game.frame(0, 0);
     if (/[=&]/.test(location.hash)) await go(location.hash.slice(1));
+    else if (lost()) await game.more();
     await restore();
-    shown = link() || shown;
-    going = false;
+    arrive();
   })();
   addEventListener('pagehide', keep);
   document.addEventListener('visibilitychange', () => { if (document.hidden) keep(); });
-  setInterval(follow, 500);
+  setInterval(follow, 500, false);
   addEventListener('popstate', () => came(location.hash.slice(1) || first));
 })();

@@ -87,7 +87,7 @@
   };
   const button = (text, label, act) => {
     const b = document.createElement('button');
-    b.type = 'button'; b.textContent = text; b.title = label; b.setAttribute('aria-label', label);
+    b.type = 'button'; b.textContent = text; b.title = label;
     b.onclick = act;
     return b;
   };

@@ -72,6 +72,8 @@ TEST(every_scene_is_well_described)
         for (char *c = hyphens; *c; c++) if (*c == ' ') *c = '-';
         if (wfFindScene(s->name) != i) fail_msg("two scenes are called %s, of the chapters %s and %s: give one of them another .name", s->name, wfSceneAt(wfFindScene(s->name))->chapter, s->chapter);
         assert_int_equal(wfFindScene(hyphens), i);
+        if (hyphens[0] >= 'a' && hyphens[0] <= 'z') hyphens[0] = (char)(hyphens[0] - 'a' + 'A');
+        assert_int_equal(wfFindScene(hyphens), i);
     }
     assert_int_equal(wfFindScene(""), -1);
     assert_int_equal(wfFindScene("no such scene"), -1);

@@ -240,6 +240,29 @@ TEST(the_menu_is_about_all_that_are_chosen)
     play_end(&p);
 }
 
+TEST(the_menu_is_walked_by_the_arrows)
+{
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 60\nkey p\nsteps 0\nframe\n");
+    int bodies = (int)play_fact(&p, "bodies", 0);
+    double view = play_fact(&p, "view", 1);
+    from_menu(&p, "body 6", NULL);
+    play_run(&p, "key down\nframe\nkey down\nframe\nkey enter\nframe\nframe\n");              /* Copy it */
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 1);
+    assert_int_equal((int)play_fact(&p, "menu", 0), 0);
+    from_menu(&p, "body 6", NULL);
+    play_run(&p, "key down\nkey enter\nframe\nframe\n");                           /* Remove it, all in one frame */
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
+    from_menu(&p, "body 5", NULL);
+    play_run(&p, "key up\nframe\nkey escape\nframe\nkey enter\nframe\nframe\n");
+    assert_int_equal((int)play_fact(&p, "menu", 0), 0);
+    assert_int_equal((int)play_fact(&p, "chosen", 0), 1);
+    assert_near(play_fact(&p, "view", 1), view, 0);
+    play_run(&p, "key up\nframe\n");                        /* closed, it leaves the arrows to the view */
+    assert_true(play_fact(&p, "view", 1) != view);
+    play_end(&p);
+}
+
 TEST(a_click_beside_the_menu_closes_it_and_a_pull_opens_none)
 {
     play p = play_open(1100, 700, 1);
@@ -303,8 +326,14 @@ TEST(a_number_can_be_typed_and_the_address_knows)
     link_is(&p, "scene=stack-of-boxes&gravity.x=1&gravity.y=-2");
     play_run(&p, "key r\nframe\n");                       /* wishes outlive a reset, and not another scene */
     link_is(&p, "scene=stack-of-boxes&gravity.x=1&gravity.y=-2");
-    play_run(&p, "scene tower\nframe\n");
+    play_run(&p, "scene Tower\nframe\n");
     link_is(&p, "scene=tower");
+    assert_true(game_set(&p.memory, "gravity", -2));        /* what an address asks for is nobody's work */
+    assert_false(game_has_work(&p.memory));
+    play_type(&p, "gravity.y", "key 9\nkey enter");
+    assert_true(game_has_work(&p.memory));
+    assert_true(game_set(&p.memory, "gravity", -3));
+    assert_true(game_has_work(&p.memory));
     play_end(&p);
 }
 

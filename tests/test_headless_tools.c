@@ -409,9 +409,29 @@ TEST(keys_alone_do_what_a_mouse_does)
     assert_int_equal((int)play_fact(&p, "bodies", 0), (int)bodies);
     play_run(&p, "key n\nframe\n");
     assert_int_equal((int)play_fact(&p, "chosen", 0), 1);
+    play_run(&p, "key page-down\nframe\nkey page-down\nframe\nkey m\nframe\nkey left\nframe\nkey enter\nframe\nkey enter\nframe\n");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), (int)bodies + 1);         /* Enter is the mouse's, and not a widget's */
+    play_run(&p, "key m\nframe\nkey undo\nframe\n");
     play_run(&p, "key m\nframe\nmove 300 300\nframe\nkey right\nframe\n");      /* a mouse that moves takes over */
     assert_true(play_fact(&p, "view", 0) != view);
     play_end(&p);
+}
+
+/* A press forgives a near miss; so does the end of a pull, and where it ends on the first body it means the ground. */
+TEST(connect_forgives_at_both_ends)
+{
+    for (int miss = 0; miss < 2; miss++) {
+        bench b;
+        wfJoint j;
+        open_bench(&b, NULL);
+        b.memory.reach = WF_R(0.04);
+        drag(&b, "Place", wfV2(-1, 0), wfV2(WF_R(-0.7), 0));
+        drag(&b, "Place", wfV2(1, 0), wfV2(WF_R(1.3), 0));
+        drag(&b, "Connect", wfV2(WF_R(-1.33), 0), wfV2(miss ? WF_R(1.36) : WF_R(1.33), 0));
+        if (strstr(b.memory.said, "to the ground") ? !miss : miss) fail_msg("%s", b.memory.said);
+        assert_int_equal(wfGetJoint(&b.world, wfJointAt(&b.world, 0), &j), WF_OK);
+        close_bench(&b);
+    }
 }
 
 TEST(a_full_world_grows)

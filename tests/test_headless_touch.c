@@ -248,6 +248,14 @@ TEST(tips_cover_no_widget)
         }
         if (left < 1 || top < 1 || right > cases[i].width - 2 || bottom > cases[i].height - 2)
             fail_msg("the tip of %s goes over the edge: %d..%d, %d..%d", cases[i].widget, left, right, top, bottom);
+        bool gone = true;                                       /* a key puts it away, until the mouse moves */
+        if (!panel) {
+            play_run(&p, "key home\nframe\nkey home\nseconds 0.02\nsteps 0\nwait 40\n");
+            for (int py = top; py <= bottom; py++)
+                for (int px = left; px <= right; px++)
+                    gone = gone && was[py * cases[i].width + px] == p.buffer.pixels[py * cases[i].width + px];
+        }
+        if (!gone) fail_msg("the tip of %s stays", cases[i].widget);
         free(was);
         play_end(&p);
     }

@@ -538,7 +538,7 @@ static const wfScene row[] = {
       .define = jointly, .build = build_cart, .update = drive_cart, VIEW(0, 2, 10),
       PROMISE(-1, 0.1) },
     { .category = "Joints", .name = "crane", .chapter = "joints",
-      .text = "A trolley, and a winch that pulls and never pushes, worked by the clock.",
+      .text = "A trolley, and a rope that pulls and never pushes, worked by the clock.",
       .define = jointly, .build = build_crane, .update = work_crane, VIEW(0, 3.5, 10),
       PROMISE(-1, 0.1) },
     { .category = "Joints", .name = "gears and ratchet", .chapter = "joints",

@@ -4,12 +4,19 @@
 #include "testbed/scene.h"
 
 /* find a scene */
+static char small(char c) { return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c; }
+
+static bool is_called(const char *a, const char *name)
+{
+    while (*a && (small(*a) == small(*name) || (*a == ' ' && *name == '-'))) a++, name++;
+    return *a == 0 && *name == 0;
+}
+
 int wfFindScene(const char *name)
 {
     for (int row = 0; row < wfSceneCount(); row++) {
-        const char *a = wfSceneAt(row)->name, *b = name, *alias = wfSceneAt(row)->alias;
-        while (*a && (*a == *b || (*a == ' ' && *b == '-'))) a++, b++;
-        if ((*a == 0 && *b == 0) || (alias && strcmp(alias, name) == 0)) return row;
+        const wfScene *s = wfSceneAt(row);
+        if (is_called(s->name, name) || (s->alias && is_called(s->alias, name))) return row;
     }
     return -1;
 }

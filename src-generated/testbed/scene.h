@@ -65,7 +65,8 @@ const wfScene *wfSceneAt(int row);
 int wfSceneCount(void);
 /* Scenes that a platform brings along, behind those of the table; or NULL. */
 extern const wfSceneGroup *wfBroughtScenes;
-/* Row of the scene of this name, -1 if there is none. A hyphen is as good as a space. */
+/* Row of the scene of this name, -1 if there is none. A hyphen is as good as a space,
+ * a small letter as a capital. */
 int wfFindScene(const char *name);
 /* wfOpenScene, but for the needs: these instead of the scene's own, unless 0. A scene in a
  * file has its own in any case. */

@@ -38,6 +38,16 @@ await page.waitForFunction(() => /gravity\.y=-3$/.test(document.getElementById('
 await page.evaluate(() => { location.hash = '#scene=nowhere'; });
 await page.until('said', 'there is no scene nowhere');
 check(await page.tell('scene') === 'pyramid', 'an unknown scene takes the other one away');
+await page.hash('#scene=pyramid&gravity.x=0&gravity.y=-3');
+for (const [hash, said] of [['scene=dominoes&gravity=abc&gravity.x=&foo=1', "the address asks for what can't be set: gravity=abc, gravity.x=, foo=1"], ['scene=Pyramid&gravity=-3', '']]) {
+  await page.evaluate(hash => { location.hash = hash; }, hash);
+  await page.until('scene', hash[6] === 'P' ? 'pyramid' : 'dominoes');
+  await page.until('said', said);
+}
+const lost = await open('#nowhere');
+await lost.until('said', 'there is no scene nowhere');
+await lost.hash(`#scene=${(await lost.tell('scene')).replace(/ /g, '-')}`);
+await lost.close();
 
 // a challenge has an address of its own, and waits at its first step
 await page.evaluate(() => { location.hash = '#challenge=wall'; });
@@ -129,7 +139,7 @@ for (let i = 0; i < 2; i++) {
 }
 await ready(made);
 await made.until('hash', kept);
-check(await made.evaluate(() => localStorage.getItem('weft/world.save') !== null && !sessionStorage.getItem('weft/tab')), 'the kept world is not taken, or took the place of the saved one');
+check(await made.evaluate(() => localStorage.getItem('weft/world.save') !== null && !Object.keys(sessionStorage).length), 'the kept world is not taken, or took the place of the saved one');
 await made.evaluate(() => document.getElementById('testbed').game.open('dominoes'));
 await made.until('scene', 'dominoes');
 await made.hash('#scene=dominoes');
@@ -137,6 +147,34 @@ await made.reload();
 await ready(made);
 await made.waitForTimeout(600);
 check(await made.tell('scene') === 'dominoes' && !again.test(await made.tell('said')), `a scene as it is: ${await made.tell('said')}`);
+// each address keeps a world of its own: another scene in the same tab, and Back; an address that asks for other settings gets them
+const tab = await open('#scene=stack-of-boxes'), to = async hash => { await tab.goto('about:blank'); await tab.goto('file://' + join(html, 'testbed.html' + hash)); await ready(tab); await tab.waitForTimeout(800); };
+const change = async () => { await tab.evaluate(async () => { const g = document.getElementById('testbed').game; await g.more(); g.key(110); g.key(127); g.frame(0, 0); }); return tab.tell('bodies'); };
+tab.removeAllListeners('dialog');
+tab.on('dialog', d => d.accept());
+const boxes = await change();
+await to('#scene=dominoes');
+const stones = await change();
+await tab.goBack();
+await tab.goBack();
+await ready(tab);
+await tab.until('bodies', boxes);
+await to('#scene=dominoes');
+await tab.until('bodies', stones);
+await to('#scene=pyramid&gravity=-3');
+check(!await tab.evaluate(() => document.getElementById('testbed').game.act(x => x.web_work())), 'a setting of the address counts as work');
+await change();
+await to('#scene=pyramid&gravity=-20');
+check(/gravity\.y=-20$/.test(await tab.link()) && !again.test(await tab.tell('said')), `the address asks for -20: ${await tab.link()}, ${await tab.tell('said')}`);
+// W says where the world is, and a file can be chosen though one is kept
+await tab.evaluate(() => { const g = document.getElementById('testbed').game; g.key(119); for (let i = 0; i < 3; i++) g.frame(0, 0); });
+check(/^kept in this browser: world.save, \d+ bytes/.test(await tab.tell('said')), `W says: ${await tab.tell('said')}`);
+const [chooser] = await Promise.all([tab.waitForEvent('filechooser', { timeout: 10000 }), tab.locator('#testbed').press('z')]).catch(() => [null]);
+if (check(chooser, 'Read JSON asks for no file')) {
+  await chooser.setFiles({ name: 'a friend.save', mimeType: '', buffer: Buffer.from(world, 'base64') });
+  await tab.until('scene', 'stack of boxes');
+}
+await tab.close();
 // where there is no storage, all goes on as without
 const without = await (await browser.newContext({ viewport: { width: 1100, height: 720 } })).newPage();
 without.on('pageerror', e => check(false, e.message));

@@ -171,7 +171,7 @@ const figure = page.locator('figure[data-live]').first(), play = page.locator('f
 await figure.scrollIntoViewIfNeeded();
 await page.waitForSelector('figure[data-live].live');
 await play.scrollIntoViewIfNeeded();
-await play.getByRole('button', { name: 'run this simulation here' }).click();
+await play.getByRole('button', { name: 'Run it' }).click();
 const field = play.locator('canvas');
 await field.waitFor();
 await page.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await field.elementHandle(), { timeout: 20000 });

@@ -38,7 +38,7 @@ const tryFigure = async (page, figure, name, where, frozen) => {
     await page.mouse.move(x + dx, y + dy, { steps: 3 });
     await page.mouse.up();
     check(await ink(figure) !== home, `${where}: dragging handle ${i + 1} of ${name} changes nothing`);
-    await figure.getByRole('button', { name: 'as it was' }).click();
+    await figure.getByRole('button', { name: 'Reset' }).click();
     check(await ink(figure) === home, `${where}: ${name} is not as it was after Reset`);
   }
   if (count) {
@@ -46,13 +46,15 @@ const tryFigure = async (page, figure, name, where, frozen) => {
     for (let i = 0; i < 3; i++) await page.keyboard.press('Shift+ArrowLeft');
     for (let i = 0; i < 2; i++) await page.keyboard.press('Shift+ArrowUp');
     check(await ink(figure) !== home, `${where}: the arrow keys change nothing in ${name}`);
-    await figure.getByRole('button', { name: 'as it was' }).click();
+    await figure.getByRole('button', { name: 'Reset' }).click();
   }
+  const named = await figure.locator('.live-bar button').evaluateAll(all => all.filter(b => b.hasAttribute('aria-label') && !b.getAttribute('aria-label').includes(b.textContent)).length);
+  check(!named, `${where}: ${name} has buttons that are called by other words than those on them`);
   if (await figure.getAttribute('data-moves')) {
-    await figure.getByRole('button', { name: 'let time run' }).click();
+    await figure.getByRole('button', { name: 'Play' }).click();
     await page.waitForTimeout(400);
     check(await ink(figure) !== home, `${where}: time runs, and ${name} does not move`);
-    await figure.getByRole('button', { name: 'let time run' }).click();
+    await figure.getByRole('button', { name: 'Pause' }).click();
   }
   const code = await figure.getAttribute('data-code');
   check(code && await page.evaluate(c => !c.startsWith('#') || !!document.getElementById(c.slice(1)), code), `${where}: ${name} has no link to its code`);
@@ -61,7 +63,7 @@ const tryFigure = async (page, figure, name, where, frozen) => {
 const steps = figure => figure.locator('canvas').evaluate(c => Number(c.game.describe().match(/^steps (\d+)$/m)[1]));
 const tryScene = async (page, figure, name, where) => {
   await figure.scrollIntoViewIfNeeded();
-  await figure.getByRole('button', { name: 'run this simulation here' }).click();
+  await figure.getByRole('button', { name: 'Run it' }).click();
   const canvas = figure.locator('canvas');
   try { await canvas.waitFor({ timeout: 15000 }); await page.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await canvas.elementHandle(), { timeout: 15000 }); }
   catch { return fail(`${where}: the simulation ${name} does not run`); }

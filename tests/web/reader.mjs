@@ -54,7 +54,7 @@ for (const width of [1366, 900, 390]) {
   await live.waitForSelector('figure[data-scene].live');
   const stones = await figure.locator('.pic svg polygon').evaluateAll(all => all.map(p => p.getBoundingClientRect()).filter(b => b.width < 80).map(b => [b.x + b.width / 2, b.y + b.height / 2]));
   const wide = Math.max(...stones.map(s => s[0])) - Math.min(...stones.map(s => s[0])), top = Math.min(...stones.map(s => s[1]));
-  await figure.getByRole('button', { name: 'run this simulation here' }).click();
+  await figure.getByRole('button', { name: 'Run it' }).click();
   await live.waitForFunction(() => { const c = document.querySelector('figure canvas'); return c && c.game && /^steps [1-9]/m.test(c.game.describe()); }, null, { timeout: 20000 });
   const now = await figure.locator('canvas').evaluate(c => { const b = c.getBoundingClientRect(); return [...c.game.describe().matchAll(/^body .* pixel (\S+) (\S+)$/mg)].map(m => [b.x + m[1] * b.width / c.width, b.y + m[2] * b.height / c.height]); });
   const share = (Math.max(...now.map(s => s[0])) - Math.min(...now.map(s => s[0]))) / wide, moved = Math.min(...now.map(s => s[1])) - top;

@@ -46,7 +46,7 @@ for (const [name, width, height, colorScheme] of [['upright by day', 390, 844, '
   const play = small.locator('figure[data-scene]').first();
   await play.scrollIntoViewIfNeeded();
   await small.waitForSelector('figure[data-scene].live');
-  await play.getByRole('button', { name: 'run this simulation here' }).tap();
+  await play.getByRole('button', { name: 'Run it' }).tap();
   const field = play.locator('canvas');
   await field.waitFor();
   await small.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await field.elementHandle(), { timeout: 20000 });
