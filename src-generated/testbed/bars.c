@@ -211,9 +211,9 @@ void game_button_key(game *g, int32_t key)
         if (button_table[i].key == key) game_press_button(g, &button_table[i]);
 }
 
-static void bar_room(bar *b, float w)
+static void bar_room(const ui *u, bar *b, float w)
 {
-    if (b->x + w > b->right && b->x > b->left) b->x = b->left, b->y += BAR_ROW;
+    if (b->x + w > b->right && b->x > b->left) b->x = b->left, b->y += ui_bar_high(u);
 }
 
 static float button_wide(const char *name)
@@ -226,7 +226,7 @@ bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
     float w = button_wide(name);
     if (w < b->least) w = b->least;
     if (b->terse && ui_has_icon(name)) w = b->icon;
-    bar_room(b, w);
+    bar_room(u, b, w);
     bool hit = ui_button(u, name, b->x, b->y, w, on);
     ui_tip(u, name, text, b->x, b->y, w, 24);
     b->x += w + 4;
@@ -313,7 +313,7 @@ static bool last_words(const game *g, char line[200], int *ink)
     }
     if (game_hint_is_low(s)) *ink = WF_INK_ACCENT;
     snprintf(line, 200, "%s", game_hint_is_low(s) ? HINT :
-             s->finger ? "drag bodies, or the view   two fingers: zoom   rest: menu" :
+             s->finger ? "drag: bodies, view   hold: menu   two fingers: zoom" :
              "?: all keys   drag: hold and throw   right drag: move the view   "
              "wheel: zoom   right click: menu");
     return false;
@@ -421,7 +421,7 @@ void game_tool_bar(ui *u, game *g, bar *b)
     tool_memory *m = &g->state->tools;
     float room = b->right - b->left, wide = 106, all = 0, n = 0;
     b->x = b->left;
-    b->y += BAR_ROW;
+    b->y += ui_bar_high(u);
     for (int i = 0; i < toolCount; i++) all += button_wide(toolTable[i].name) + 4;
     for (int i = 0; i < TOOL_CHOICES; i++) n += (toolTable[m->tool].choices >> i & 1) != 0;
     bool tight = all - 4 > room;
@@ -435,18 +435,18 @@ void game_tool_bar(ui *u, game *g, bar *b)
         if (hit) game_choose_tool(g, i);
     }
     if (tight && n > 0) wide = fminf(wide, (room + 6) / n - 6);
-    if (tight && n > 0) b->x = b->left, b->y += BAR_ROW;
+    if (tight && n > 0) b->x = b->left, b->y += ui_bar_high(u);
     for (int i = 0; i < TOOL_CHOICES; i++) {
         const tool_names *c = &toolChoices[i];
         int row = m->choice[i];
         if (!(toolTable[m->tool].choices & 1u << i)) continue;
-        if (!tight) bar_room(b, wide);
+        if (!tight) bar_room(u, b, wide);
         if (ui_choice(u, c->name, b->x, b->y + 1, wide, &row,
                       (ui_names){ tool_choice_count, tool_choice_name, c }, false)) {
             m->choice[i] = row;
             if (i == TOOL_JOINT)
                 snprintf(m->said, sizeof m->said, "%s: %s", tool_choice_name(c, row),
-                         tool_joint_text(row));
+                         tool_joint_text(row)), m->refused = 0;
         }
         b->x += wide + 6;
     }

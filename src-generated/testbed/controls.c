@@ -243,7 +243,9 @@ static control_row row_of_controls(const game *g)
     float left = game_list_side(s) + 8, room = s->width - game_beside(s) - left - 8;
     for (int i = 0; i < WF_CONTROLS; i++)
         if (g->scene->controls[i]) r.all |= 1u << i, r.n++;
-    if (!s->opened || r.n < 1 || game_panel_covers(s)) return (control_row){ 0 };
+    bool covered = game_panel_covers(s), above = game_panel_top(s) > s->head;
+    if (!s->opened || r.n < 1 || (covered && !above)) return (control_row){ 0 };
+    if (covered) r.y = game_panel_top(s) - CONTROL_HIGH - 4;
     bool beside = are_beside(s, r.n);
     float most = beside ? CONTROL_NARROW : CONTROL_WIDE;
     r.w = fminf(most, (room + CONTROL_GAP) / r.n - CONTROL_GAP);
@@ -293,7 +295,7 @@ void game_say_controls(wfWriter *w, const game *g)
     bool covered = s->menu || (!s->bare && game_has_drawer(s));
     double k = (double)s->scale;
     wfPut(w, "controls %u %u pixel %.1f %.1f %.1f %.1f %.1f apart %d %.1f\n",
-        covered ? 0 : (unsigned)r.all, (unsigned)s->input.held, k * (double)r.x,
+        covered ? 0 : (unsigned)r.all, (unsigned)s->input.held & 31, k * (double)r.x,
         k * (double)r.y, k * (double)r.w, k * CONTROL_HIGH, k * CONTROL_GAP, r.left,
         k * (double)r.apart);
 }
@@ -329,6 +331,7 @@ static void choose_next(game *g)
         if (!v.alive[at] || v.props[at].type == WF_STATIC) continue;
         tool_choose(m, wfBodyAt(&g->world, at));
         snprintf(m->said, sizeof m->said, "chosen: body %d", (int)at);
+        m->refused = 0;
         return;
     }
 }
@@ -346,7 +349,7 @@ WF_APART static void choose_all(game *g, bool all)
     tool_memory *m = &g->state->tools;
     wfBodyView v = wfWorldBodies(&g->world);
     tool_choose(m, (wfBodyId){ 0, 0 });
-    m->points = m->probed = m->said[0] = 0;
+    m->points = m->probed = m->said[0] = m->refused = 0;
     for (int32_t i = 0; all && i < v.count && m->count < TOOL_CHOSEN; i++)
         if (v.alive[i] && v.props[i].type != WF_STATIC)
             m->chosen[m->count++] = wfBodyAt(&g->world, i);

@@ -71,6 +71,7 @@ typedef struct game_state {
     float asked_x, asked_y;             /* pixels: there */
     wfBodyId follow;                    /* the camera goes along with it; index 0: nobody */
     int32_t hint;                       /* nobody has grabbed anything yet */
+    double told;                        /* s that UNDO_HINT stays for */
     int32_t driven;                     /* 1: somebody drives the scene, and not its demo */
     int32_t grasped;                    /* 1 + the control under mouse or finger; 0: none */
     int32_t ends;                       /* 1: a scene that is empty stays so */
@@ -178,6 +179,7 @@ void game_note_ring(game *g);
 int game_scene_count(const game *g);
 const wfScene *game_scene_at(const game *g, int row);
 void game_tell(game *g, bool refused, const char *what);    /* on the last line */
+#define UNDO_HINT "Undo brings back what you have changed"
 /* the world */
 camera game_home(const game *g);
 void game_look_home(game *g);

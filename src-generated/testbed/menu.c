@@ -70,7 +70,7 @@ static void menu_plot(game *g, wfBodyId id) { game_plot_body(g, id); }
 static void menu_numbers(game *g, wfBodyId id)
 {
     (void)id;
-    g->state->panel = 1, g->state->tab = TAB_BODY;
+    g->state->panel = 1, g->state->tab = TAB_BODY, g->state->panel_scroll = 0;
 }
 
 /* Opens at this place of the picture for the body there, if there is one. */

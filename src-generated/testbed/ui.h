@@ -81,6 +81,7 @@ bool ui_button(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on);
 float ui_row_high(const ui *u);         /* units: more for a finger */
+float ui_bar_high(const ui *u);         /* from one row of buttons to the next */
 
 /* What a number may be: ends (may be huge), its usual size; whole: an integer. */
 typedef struct ui_range { double least, most, usual; bool whole; } ui_range;
@@ -101,6 +102,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 /* The line to type into, and whether a key belongs to it. */
 void ui_query(ui *u, const char *name, float x, float y, float w);
 bool ui_takes(ui_memory *m, int32_t key);
+const char *ui_edited(const ui_memory *m);      /* the number that is typed, or NULL */
 /* How well a query's letters fit a word of a name, eq:interface-fit; -1: not at all. */
 float ui_fit(const char *query, const char *name);
 /* 3: each word of the query is a word of the text, capitals or not; 2: or one begins so; 1:
