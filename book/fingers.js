@@ -62,6 +62,27 @@
     hand(e.target).told = 0;
   });
 
+  // Within a page one finger on empty ground is the page's, which scrolls; on a body it is the simulation's, and so are two fingers.
+  document.addEventListener('touchstart', e => {
+    const canvas = e.target, game = canvas.game;
+    if (!game || canvas.id === 'testbed') return;
+    game.frame(0, 0);
+    if (e.targetTouches.length === 1 && game.act(x => x.web_cursor()) === 2 && /^held -1$/m.test(game.describe())) game.act(x => x.web_button(1, 0));
+    else e.preventDefault();
+  }, { passive: false });
+  // Names for who has fingers: no keys, and the field for letters is called as what is typed into it.
+  const call = e => {
+    const whole = document.getElementById('testbed'), name = text => e.setAttribute('aria-label', text);
+    if (e.className === 'letters') {
+      const field = (whole.game.describe().match(/^edits (.*)$/m) || [])[1];
+      e.inputMode = field ? 'decimal' : 'text';
+      name(field || 'find a scene');
+    } else if (e.game && matchMedia('(pointer: coarse)').matches)
+      name(e === whole ? 'The testbed. Drag bodies; two fingers move the view. Its buttons follow.' : e.getAttribute('aria-label').replace(/:.*/, ': drag bodies; two fingers move the view'));
+  };
+  listen('focusin', e => call(e.target));
+  document.querySelectorAll('canvas').forEach(call);
+
   // -- tilt: left and right, and up and down, where the scene has words for both. Held beyond 12 degrees, let go below 7.
   const PAIRS = [1 | 2, 4 | 8], MOST = 12, LEAST = 7, ask = () => DeviceOrientationEvent.requestPermission ? DeviceOrientationEvent.requestPermission() : 'granted';
   let senses = false;                                  // the sensor has spoken, or its browser wants a finger to ask for it

@@ -87,7 +87,9 @@
   };
   const button = (text, label, act) => {
     const b = document.createElement('button');
-    b.type = 'button'; b.textContent = text; b.title = label;
+    b.type = 'button';
+    b.say = (text, label) => { b.textContent = text; b.title = label; b.setAttribute('aria-label', text + ': ' + label); };
+    b.say(text, label);
     b.onclick = act;
     return b;
   };
@@ -172,7 +174,7 @@
       };
       const play = button('Play', 'let time run', () => {
         if (playing) { cancelAnimationFrame(playing); playing = 0; } else { last = 0; playing = requestAnimationFrame(tick); }
-        play.textContent = playing ? 'Pause' : 'Play';
+        playing ? play.say('Pause', 'time runs') : play.say('Play', 'let time run');
       });
       tools.push(play);
     }
@@ -371,7 +373,7 @@
     };
     const up = e => {
       const which = bit(e);
-      if (touches.size < 2) place(e);
+      if (touches.size < 2 && e.type !== 'pointercancel') place(e);
       touches.delete(e.pointerId); pinch = null;
       act(x => x.web_button(which, 0));
       if (options.whole && finger) type();
@@ -464,9 +466,9 @@
     };
     const play = button('Run it', 'run this simulation here', () => {
       if (wanted) { wanted = false; if (game) game.stop(); } else start();
-      play.textContent = wanted || !game ? 'Pause' : 'Go on';
+      wanted || !game ? play.say('Pause', 'it runs') : play.say('Go on', 'it stands');
     });
-    const reset = button('Reset', 'begin again', () => { if (game) { game.open(figure.dataset.scene); game.frame(0, 0); } });
+    const reset = button('Reset', 'begin again', () => { if (game) { game.open(figure.dataset.scene); game.key(104); game.frame(0, 0); } });   // H: the view, too
     figure.liveEnd = () => {
       wanted = false;
       if (game) game.stop();
@@ -474,7 +476,7 @@
       canvas = game = null;
       frozen.hidden = false;
       frozen.style.display = '';
-      play.textContent = 'Run it';
+      play.say('Run it', 'run this simulation here');
     };
     figure.liveSeen = is => { if (game) { if (is && wanted) game.run(); else game.stop(); } };
     const whole = document.createElement('a');

@@ -175,6 +175,120 @@ TEST(the_wheel_counts_distance)
     }
 }
 
+/* Held by fingers on its button, each flipper of the pinball goes up to its stop, 0.6 rad above level, and comes down again. */
+TEST(the_flippers_obey_their_buttons)
+{
+    for (int way = 0; way < 2; way++) {
+        play p;
+        char script[200], name[16];
+        begin(&p, "pinball");
+        snprintf(name, sizeof name, "body %d x", 3 + way);
+        play_run(&p, "finger 1\nsteps 1\nwait 40\n");
+        const char *at = play_line(&p, "controls");
+        double x, y, w, h, gap;
+        assert_int_equal(sscanf(at, "controls 11 %*u pixel %lf %lf %lf %lf %lf", &x, &y, &w, &h, &gap), 5);
+        snprintf(script, sizeof script, "finger 1\nsteps 1\nmove %g %g\ndown left\nframe\nwait 30\n", x + way * (w + gap) + w / 2, y + h / 2);
+        play_run(&p, script);
+        if (!(play_fact(&p, name, 1) > 1.3)) fail_msg("held, the middle of flipper %d is at %g m", way, play_fact(&p, name, 1));
+        play_run(&p, "finger 1\nsteps 1\nup left\nframe\nwait 60\n");
+        if (!(play_fact(&p, name, 1) < 1.05)) fail_msg("let go, the middle of flipper %d is at %g m", way, play_fact(&p, name, 1));
+        play_end(&p);
+    }
+}
+
+/* A telephone of 320 units: every widget of every page of Settings is whole in the picture. */
+TEST(the_settings_fit_a_small_telephone)
+{
+    play p = play_open(640, 1136, 2);
+    play_run(&p, "finger 1\nsteps 0\nscene bridge\nframe\nframe\n");
+    press(&p, "Settings");
+    static const char *const pages[] = { "World", "Body", "Needs", "Files", "See", "Compare" };
+    for (int i = 0; i < 6; i++) {
+        press(&p, pages[i]);
+        for (const char *line = p.text; (line = strstr(line, "\nwidget ")) != NULL; line++) {
+            double x = 0;
+            sscanf(strstr(line, " pixel "), " pixel %lf", &x);
+            if (x < 20 || x > 620) fail_msg("%s: %.30s", pages[i], line + 8);
+        }
+    }
+    press(&p, "World");
+    assert_near(widget(&p, "As the scene has it", 0), 320, 10);
+    play_end(&p);
+}
+
+/* A finger on an open list of choices presses nothing below it, and its rows are high enough for a finger. */
+TEST(an_open_list_covers_the_world)
+{
+    play p;
+    begin(&p, "bridge");
+    press(&p, "Tools");
+    press(&p, "Connect");
+    press(&p, "joint kind");
+    assert_true(widget(&p, "rope", 1) - widget(&p, "spring", 1) >= 80);
+    press(&p, "rope");
+    assert_non_null(strstr(p.text, "\nsaid rope: "));
+    play_end(&p);
+}
+
+/* The picture turns while a body is pulled to its size: nothing is placed. */
+TEST(a_turn_of_the_telephone_ends_a_gesture)
+{
+    play p;
+    begin(&p, "stack-of-boxes");
+    press(&p, "Tools");
+    press(&p, "Place");
+    double bodies = play_fact(&p, "bodies", 0);
+    play_run(&p, "finger 1\nsteps 0\nmove 120 1000\ndown left\nframe\nmove 160 1010\nframe\n");
+    p.buffer.width = p.buffer.pitch = 1500, p.buffer.height = 780;
+    play_run(&p, "finger 1\nsteps 0\nmove 160 700\nframe\nmove 1200 300\nframe\nup left\nframe\nframe\n");
+    assert_near(play_fact(&p, "bodies", 0), bodies, 0);
+    play_end(&p);
+}
+
+/* A control that is pressed while time stands says why nothing moves; with Settings below the scene it is there. */
+TEST(controls_of_a_scene_that_stands)
+{
+    play p;
+    double x, y, w, h;
+    begin(&p, "maze");
+    press(&p, "Settings");
+    assert_int_equal(sscanf(play_line(&p, "controls"), "controls 15 %*u pixel %lf %lf %lf %lf", &x, &y, &w, &h), 4);
+    assert_true(y + h < widget(&p, "World", 1));
+    press(&p, "Pause");
+    finger(&p, x + w / 2, y + h / 2, 1, 1);
+    assert_true(play_says(&p, "said paused: Play lets time run"));
+    play_end(&p);
+}
+
+/* That Undo brings a change back is told for some seconds. */
+TEST(undo_is_told_of_for_some_seconds)
+{
+    play p;
+    begin(&p, "stack-of-boxes");
+    press(&p, "Tools");
+    press(&p, "Place");
+    finger(&p, 120, 1000, 30, 20);
+    play_run(&p, "finger 1\nsteps 0\nscene pyramid\nframe\nframe\n");
+    assert_true(play_says(&p, "said Undo brings back what you have changed"));
+    play_run(&p, "finger 1\nseconds 0.1\nsteps 0\nwait 70\n");
+    assert_false(play_says(&p, "said Undo brings back what you have changed"));
+    play_end(&p);
+}
+
+/* The menu's "Numbers and joints" shows the joints without a stroke. */
+TEST(the_joints_of_a_body_are_in_sight)
+{
+    play p;
+    begin(&p, "bridge");
+    play_run(&p, "finger 1\nsteps 0\nkey p\nframe\nframe\n");
+    char script[200];
+    snprintf(script, sizeof script, "finger 1\nseconds 0.05\nsteps 0\nmove %g %g\ndown left\nwait 20\nup left\nframe\nframe\n", play_fact(&p, "body 4 x", 2), play_fact(&p, "body 4 x", 3));
+    play_run(&p, script);
+    press(&p, "Numbers and joints");
+    assert_non_null(strstr(p.text, "\nwidget joint "));
+    play_end(&p);
+}
+
 TEST(a_bare_picture_has_no_bars)
 {
     play p = play_open(380, 220, 1);

@@ -95,6 +95,8 @@ TEST(a_pull_obeys_the_three_laws)
     assert_near(ui_pulled(0, 40, open), 1, 0);                     /* zero can't be doubled */
     assert_near(ui_pulled(0, -40, open), 0, 0);
     assert_near(ui_pulled(-9, 80, any), -3, 0);                    /* the usual size every 40 */
+    ui_range hertz = { 0.01, 1000, 1, false };                     /* two ends, and far too many of its usual size for 160 units */
+    assert_near(ui_pulled(1.41, 40, hertz), 2.82, 1e-12);
     for (int d = -200; d <= 200; d++) {
         double v = ui_pulled(4, d, whole);
         assert_true(v == floor(v) && v >= 1 && v <= 64);

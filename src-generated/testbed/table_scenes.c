@@ -89,8 +89,24 @@ static void kick_ball(wfWorld *world, wfVec2 from)
                           wfAddScaled(s.v, 5 - speed, normal), s.w);
 }
 
+/* The slopes reach under the flippers' hinges and would hold them: of all shapes they meet
+ * the ball alone. */
+static void free_flippers(wfWorld *world)
+{
+    wfShapeDef s;
+    for (int32_t i = PIN_BALL; i <= PIN_TABLE + 2; i++) {
+        wfShapeId id = wfFirstShape(world, wfBodyAt(world, i));
+        if (i == PIN_PLUNGER || wfGetShape(world, id, &s) != WF_OK) continue;
+        if (i == PIN_BALL && s.filter.category == 3) return;
+        if (i == PIN_BALL) s.filter.category = 3;
+        else s.filter.mask = 2;
+        wfSetShape(world, id, &s);
+    }
+}
+
 static void play_pinball(wfWorld *world, const wfSceneInput *in)
 {
+    if (in->held & WF_BY_HAND) free_flippers(world);
     wfReal h = step_of(world), down = WF_R(0.65) - body_of(world, PIN_PLUNGER).p.y;
     wfReal pull = down < WF_R(0.5) ? WF_R(-0.8) : 0;
     set_force(world, 0, holds(in, WF_LEFT) ? 12 : -12, holds(in, WF_LEFT) ? 12 : 2);

@@ -54,7 +54,7 @@ const tryFigure = async (page, figure, name, where, frozen) => {
     await figure.getByRole('button', { name: 'Play' }).click();
     await page.waitForTimeout(400);
     check(await ink(figure) !== home, `${where}: time runs, and ${name} does not move`);
-    await figure.getByRole('button', { name: 'Pause' }).click();
+    await figure.getByRole('button', { name: /^Pause/ }).click();
   }
   const code = await figure.getAttribute('data-code');
   check(code && await page.evaluate(c => !c.startsWith('#') || !!document.getElementById(c.slice(1)), code), `${where}: ${name} has no link to its code`);

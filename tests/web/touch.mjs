@@ -52,6 +52,30 @@ for (const [name, width, height, colorScheme] of [['upright by day', 390, 844, '
   await small.waitForFunction(c => c.game && /^steps [1-9]/m.test(c.game.describe()), await field.elementHandle(), { timeout: 20000 });
   const narrow = (await field.boundingBox()).width < 560, widgets = (await field.evaluate(c => c.game.describe())).match(/^widget /mg);
   check(narrow ? !widgets : widgets, `a simulation ${name}: ${widgets ? widgets.length : 'no'} widgets in ${narrow ? 'a narrow' : 'a wide'} canvas`);
+  // one finger on empty ground scrolls the page and leaves the view; on a body it pulls that; two fingers pan, and Reset brings the view back
+  await small.evaluate(() => { document.querySelector('figure canvas').scrollIntoView({ block: 'center', behavior: 'instant' }); });
+  await small.waitForTimeout(300);
+  const f = await field.boundingBox(), kf = await field.evaluate(c => c.width / c.getBoundingClientRect().width), view = async () => (await field.evaluate(c => c.game.describe())).match(/^view (.*)$/m)[1];
+  const home = await view(), top = await small.evaluate(() => scrollY), ground = [f.x + 20, f.y + f.height * 0.3];
+  await small.stroke([ground], [[ground[0], ground[1] - 80]]);
+  check(await small.evaluate(() => scrollY) > top + 20, `a simulation ${name}: one finger on empty ground does not scroll the page`);
+  check(await view() === home, `a simulation ${name}: one finger on empty ground moves the view from ${home} to ${await view()}`);
+  await small.evaluate(y => scrollTo({ top: y, behavior: 'instant' }), top);
+  await small.waitForTimeout(200);
+  await small.stroke([ground, [ground[0] + 60, ground[1]]], [[ground[0] + 90, ground[1] + 40], [ground[0] + 150, ground[1] + 40]]);
+  check(await view() !== home && await small.evaluate(() => scrollY) === top, `a simulation ${name}: two fingers leave the view, or scroll the page`);
+  const button = n => play.getByRole('button', { name: n });
+  check(await button(/^Pause: .*runs/).count() === 1 && await button(/^Reset/).count() === 1, `a simulation ${name}: its buttons' names lack the words that are seen`);
+  await button(/^Reset/).tap();
+  await small.waitForTimeout(300);
+  check(await view() === home, `a simulation ${name}: after Reset the view is ${await view()}, and not ${home}`);
+  const pulled = async () => { const m = (await field.evaluate(c => c.game.describe())).match(/^body 6 .*pixel (\S+) (\S+)$/m); const c = await field.boundingBox(); return [c.x + m[1] / kf, c.y + m[2] / kf]; };
+  await field.evaluate(c => c.scrollIntoView({ block: 'center', behavior: 'instant' }));
+  await small.waitForTimeout(200);
+  const body = await pulled(), stands = await small.evaluate(() => scrollY);
+  await small.stroke([body], [[body[0] + 20, body[1] - 60]]);
+  near(await small.evaluate(() => scrollY), stands, 0, `a simulation ${name}: a finger on a body scrolls the page`);
+  check(!/\bP\b|keys/.test(await field.getAttribute('aria-label')), `a simulation ${name}: its name speaks of keys: ${await field.getAttribute('aria-label')}`);
   await small.close();
 
   // -- the testbed
@@ -117,6 +141,7 @@ for (const [name, width, height, colorScheme] of [['upright by day', 390, 844, '
   await tap('Settings');
   await tap('gravity.y');
   if (check(await bed.evaluate(() => document.activeElement.className) === 'letters', `${name}: a tap on a number raises no keyboard`)) {
+    check(await bed.evaluate(() => document.activeElement.getAttribute('aria-label') + ', ' + document.activeElement.inputMode) === 'gravity y, decimal', `${name}: the field for a number calls itself ${await bed.evaluate(() => document.activeElement.outerHTML)}`);
     await bed.keyboard.insertText('-3');
     await bed.keyboard.press('Enter');
     await bed.waitForTimeout(300);
