@@ -374,10 +374,20 @@ static void turn_body(game *g, wfReal by)
     else g->state->input.turn = wfWrapAngle(g->state->input.turn + by);
 }
 
+/* The letters W, A, S and D do nothing else in a scene that is driven. */
+static bool is_for_driving(game *g, int32_t small)
+{
+    if (small >= 127 || !(game_key_bit(small) & 15) || !game_drives_any(g)) return false;
+    if (!game_drives(g, game_key_bit(small)))
+        game_tell(g, false, "W, A, S, D drive; Ctrl-S saves the world, Ctrl-O opens it");
+    return true;
+}
+
 void game_obey_key(game *g, int32_t key)
 {
     game_state *s = g->state;
     int32_t small = key >= 'A' && key <= 'Z' ? key - 'A' + 'a' : key;
+    if (is_for_driving(g, small)) return;
     game_button_key(g, small);
     switch (key) {
     case '\\': s->list = !s->list; break;

@@ -27,7 +27,7 @@ typedef struct tape_note {
 } tape_note;
 enum { TAPE_STEP = 256 };           /* more bytes of a journal than a step needs */
 enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
-       FILE_FRAME, FILE_CURVES, FILE_LINK };
+       FILE_FRAME, FILE_CURVES, FILE_LINK, FILE_LAST };
 enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
@@ -99,6 +99,7 @@ typedef struct game_state {
     int32_t file_for;                   /* what the wish is for: FILE_... */
     int32_t asked;                      /* 1: for the settings; 2: they have come, or none */
     int32_t read;                       /* the world came from a file, and not from its scene */
+    int32_t last;                       /* 1: it is what the run before was left with, or was */
     uint64_t kept;                      /* checksum of the settings that are kept */
     int32_t shots, filming, film_over;  /* SHOT_..., FILM_... that are wanted, that run; an
                                            ended film waits for the card */

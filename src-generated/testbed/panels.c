@@ -860,6 +860,8 @@ enum { FILES = sizeof file_table / sizeof *file_table };
 
 void game_file_key(game *g, int32_t key)
 {
+    if (key == GAME_KEY_RETURN || key == GAME_KEY_LEAVE) game_keep_last(g, key);
+    key = key == GAME_KEY_SAVE ? 'w' : key == GAME_KEY_OPEN ? 'a' : key;
     for (int i = 0; i < FILES; i++)
         if (file_table[i].key == key) game_press_button(g, &file_table[i]);
 }

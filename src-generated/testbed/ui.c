@@ -484,6 +484,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 bool ui_takes(ui_memory *m, int32_t key)
 {
     size_t length = strlen(m->query);
+    if (key >= GAME_KEY_SAVE) return false;
     if (m->edits) return takes_digit(m, key);
     if (m->open && (key == GAME_KEY_UP || key == GAME_KEY_DOWN || key == GAME_KEY_ENTER))
         return true;
