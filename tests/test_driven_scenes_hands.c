@@ -322,3 +322,65 @@ TEST(a_world_that_was_changed_is_there_at_the_next_start)
     assert_null(strstr(shown, "last"));
     remove_folder(folder);
 }
+
+TEST(what_is_done_on_a_tape_without_a_step_is_replayed)
+{
+    layer_options o = { .scene = "stack-of-boxes", .steps = -1, .scale = 1, .width = 1100, .height = 700 };
+    char hash[100], before[100];
+    float x, y;
+    for (int run = 0; run < 2; run++) {                             /* and what is done after the last step */
+        open_layer(&o);
+        press('p');
+        press('f');
+        if (run) press('o');
+        fact("steps");
+        assert_int_equal(sscanf(strstr(strstr(words, "\nbody "), "pixel"), "pixel %f %f", &x, &y), 2);
+        snprintf(before, sizeof before, "%s", fact("hash"));
+        for (int i = 0; i < 6; i++) {
+            layer_event(&l, &in, &(game_event){ i ? GAME_EVENT_MOVE : GAME_EVENT_DOWN, x - 30.0f * (float)i, y, GAME_BUTTON_LEFT });
+            frame(0);
+        }
+        layer_event(&l, &in, &(game_event){ GAME_EVENT_UP, x - 150, y, GAME_BUTTON_LEFT });
+        frame(0);
+        press('f');
+        snprintf(hash, sizeof hash, "%s", fact("hash"));
+        assert_string_not_equal(hash, before);
+        press('k');
+        for (int i = 0; i < 3; i++) frame(1);
+        said(run ? "replayed: 1 steps, the same" : "replayed: 0 steps, the same");
+        assert_string_equal(fact("hash"), hash);
+        layer_close(&l);
+    }
+}
+
+TEST(a_refusal_goes_with_the_next_key_and_a_file_is_named)
+{
+    static const char text[] = "{ \"weft\": 1, \"name\": \"pyramid\", \"text\": \"Mine.\", \"bodies\": [ ] }";
+    static uint32_t named[1100 * 700];
+    char folder[] = "/tmp/weft-named-XXXXXX", path[200], found[1000] = "";
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/mine.json", folder);
+    write_bytes(path, text, strlen(text));
+    layer_options o = { .argument = path, .folder = folder, .steps = -1, .scale = 1, .width = 1100, .height = 700 };
+    open_layer(&o);
+    press('p');
+    for (int i = 0; i < 60; i++) frame(0);
+    memcpy(named, l.buffer.pixels, sizeof named);
+    assert_string_equal(l.memory.text_name, "mine.json");
+    l.memory.text_name = NULL;
+    frame(0);
+    assert_memory_not_equal(named, l.buffer.pixels, sizeof named);  /* the title tells it */
+    press('u');
+    snprintf(path, sizeof path, "%s/scene.json", folder);
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
+    assert_true(fread(found, 1, sizeof found - 1, f) > 0);
+    fclose(f);
+    assert_non_null(strstr(found, "Mine."));                        /* and what is told of it stays */
+    press(GAME_KEY_OPEN);
+    said("there is no world.save");
+    press('h');
+    assert_string_equal(fact("said"), "");
+    layer_close(&l);
+    remove_folder(folder);
+}

@@ -135,6 +135,7 @@ void game_press_write(game *g)
                          .viewHeight = (wfReal)g->state->camera.height,
                          .energyBound = -1, .depthBound = -1 };
     snprintf(info.name, sizeof info.name, "%s", g->scene->name);
+    snprintf(info.text, sizeof info.text, "%s", g->scene->text ? g->scene->text : "");
     game_file *f = g->file;
     wfResult result = wfTextOfWorld(&g->world, &info, (char *)f->bytes, f->capacity,
                                     &f->size);

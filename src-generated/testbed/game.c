@@ -43,9 +43,13 @@ static void interface(ui *u, game *g, double seconds)
     s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
     /* name the scene */
     if (s->height >= LOW) {
-        ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, g->scene->name);
+        char title[2 * GAME_NAME_SIZE + 4];
+        bool file = g->scene == &g->guest && g->text_name;
+        snprintf(title, sizeof title, "%s%s%s%s", g->scene->name, file ? " (" : "",
+                 file ? g->text_name : "", file ? ")" : "");
+        ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, title);
         if (!game_has_panes(s))
-            game_draw_legend(u, g, x + 12 + wfTextWidth(&wfBakedFont, 16, g->scene->name));
+            game_draw_legend(u, g, x + 12 + wfTextWidth(&wfBakedFont, 16, title));
         if (!g->scene->alias)                               /* a task stands on its card */
             s->head = ui_wrapped(u, x, s->head - 10, s->width - x - 6, WF_INK_TEXT,
                                  g->scene->text) - 7;
@@ -229,6 +233,7 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_obey_mark(s, &now);
     input = &now;
     if (!(input->held & GAME_BUTTON_LEFT)) s->editing = 0;
+    if (s->tools.refused && (input->key_count || input->pressed)) game_tell(&g, false, "");
     game_take_answer(&g);
     fold_panels(s);
     if (!s->bar && !s->bare && s->tools.tool) game_choose_tool(&g, 0);

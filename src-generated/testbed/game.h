@@ -151,7 +151,7 @@ typedef struct game {
     wfMemory memory;                    /* of the world */
     wfWorld world;
     const wfScene *scene;
-    const char *text;                   /* of a scene that was brought along, or NULL */
+    const char *text, *text_name;       /* of a scene that was brought along, or NULL */
     wfScene guest;                      /* that scene */
     wfPool scratch;                     /* the other half of transient memory */
     wfRewind ring;                      /* of snapshots, in the rest of permanent memory */

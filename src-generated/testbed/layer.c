@@ -106,6 +106,13 @@ bool layer_resize(layer *l, int32_t width, int32_t height)
     return true;
 }
 
+static void name_text(layer *l, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(l->name, sizeof l->name, "%.39s", slash ? slash + 1 : path);
+    l->memory.text = l->scene, l->memory.text_name = l->name;
+}
+
 static bool open_scene_file(layer *l, const char *path)
 {
     char error[400];
@@ -114,7 +121,7 @@ static bool open_scene_file(layer *l, const char *path)
     if (save) fclose(save), layer_bring(l, path);       /* the game has it in a frame */
     if (!ends_with(path, ".json")) return true;
     if (!(l->scene = read_text(path))) return complain("can't read the scene", path);
-    l->memory.text = l->scene;
+    name_text(l, path);
     return game_reads_scene(l->scene, error, sizeof error) || complain(path, error);
 }
 
@@ -158,12 +165,8 @@ void layer_close(layer *l)
 {
     if (l->record) fclose(l->record);
     game_code_close(&l->code);
-    free(l->text);
-    free(l->scene);
-    free(l->file.bytes);
-    free(l->buffer.pixels);
-    free(l->memory.permanent);
-    free(l->memory.transient);
+    free(l->text), free(l->scene), free(l->file.bytes);
+    free(l->buffer.pixels), free(l->memory.permanent), free(l->memory.transient);
     memset(l, 0, sizeof *l);
 }
 
@@ -179,7 +182,6 @@ static bool put_aside(const char *path, char *aside, size_t size)
 {
     const char *end = strrchr(path, '.');
     FILE *there = fopen(path, "rb");
-    aside[0] = 0;
     if (!there || !end) return !there;
     for (int n = 1; there && n < 10000; n++) {
         fclose(there);
@@ -234,7 +236,7 @@ static bool take_text(layer *l, const char *name)
     bool good = text && game_reads_scene(text, error, sizeof error);
     snprintf(l->said, sizeof l->said, "!%.50s: %s", name, error);
     free(good ? l->scene : text);
-    if (good) l->memory.text = l->scene = text;
+    if (good) l->scene = text, name_text(l, l->brought);
     else l->memory.news = l->said;
     return good;
 }
@@ -327,8 +329,7 @@ void layer_event(layer *l, game_input *in, const game_event *e)
     if (game_take_event(in, e)) return;
     game_input part = *in;
     uint32_t *pixels = l->buffer.pixels;
-    part.seconds = 0;
-    part.steps = 0;
+    part.seconds = part.steps = 0;
     l->buffer.pixels = NULL;
     if (!l->text && l->frames > 0) play(l, &part, &part);
     l->buffer.pixels = pixels;

@@ -36,6 +36,7 @@ typedef struct game_memory {
     int32_t still; /* the game's: 1: without input the next picture is this one */
     int32_t cursor;             /* the game's: what the mouse looks like, GAME_CURSOR_... */
     int32_t dark;               /* the game's: 1: light on dark */
+    const char *text_name;      /* of the text's file, or NULL */
 } game_memory;
 
 enum { GAME_CURSOR_ARROW, GAME_CURSOR_POINT, GAME_CURSOR_GRAB, GAME_CURSOR_CROSS,
