@@ -85,7 +85,7 @@
   const load = bytes => {
     frames();                                          // its settings may be on the card
     linked = bytes;
-    game.key(97);                                      // A: load
+    game.key(143);                                     // Ctrl-O: load
     frames();
   };
   // Back and a reload bring the world back. As the page goes, a world that was changed is written into the tab's own storage, under its address;
@@ -112,7 +112,7 @@
       if (game.act(x => x.web_letters())) game.key(27);
       frames();
       keeping = `${Date.now()}\n${/^paused 1$/m.test(game.describe()) ? 1 : 0}\n`;
-      game.key(119);                                   // W: save
+      game.key(142);                                   // Ctrl-S: save
       frames();
       say('');
     } catch (e) { /* there is no storage: the browser has asked */ }

@@ -389,14 +389,14 @@
       act(x => x.web_wheel(notches));
     }, { passive: false });
     canvas.addEventListener('keydown', e => {
-      const k = e.altKey ? 0 : e.ctrlKey || e.metaKey ? { z: 136, Z: 137, y: 137, a: 138, c: 139, v: 140, d: 141 }[e.key] || 0 : keyOf(e);
+      const k = e.altKey ? 0 : e.ctrlKey || e.metaKey ? { z: 136, Z: 137, y: 137, a: 138, c: 139, v: 140, d: 141, s: 142, o: 143 }[e.key] || 0 : keyOf(e);
       if (!k || k === 9) return;                       // Tab goes on to the next thing of the page
       if (k === 27 && !options.whole) { canvas.blur(); return; }
       e.preventDefault();
       more();
       act(x => x.web_key(k));
     });
-    canvas.addEventListener('keyup', e => { const k = keyOf(e); if (k === 13 || (k > 127 && k < 132)) act(x => x.web_key_up(k)); });
+    canvas.addEventListener('keyup', e => { const k = keyOf(e); if (k) act(x => x.web_key_up(k)); });
     canvas.addEventListener('blur', () => { if (!log) act(x => x.web_key_up(0)); });
     const game = {
       frame, open, more, act, handOut, put, word, take, readScene,

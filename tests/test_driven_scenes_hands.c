@@ -1,6 +1,7 @@
 /* Several fingers on the buttons of a scene, and files that are dropped on the window: through the layer, with the game behind it. */
 #define _POSIX_C_SOURCE 200809L        /* mkdtemp */
 #include <stdlib.h>
+#include <sys/stat.h>
 #include "testing.h"
 #include "testbed/layer.h"
 
@@ -162,4 +163,224 @@ TEST(dropped_files_are_opened_or_told)
     layer_close(&l);
     snprintf(path, sizeof path, "rm -r '%s'", folder);
     assert_int_equal(system(path), 0);
+}
+
+static void press(int32_t key)
+{
+    in.keys[in.key_count++] = key;
+    for (int i = 0; i < 3; i++) frame(0);
+}
+static void said(const char *part) { if (!strstr(fact("said"), part)) fail_msg("said '%s' and not '%s'", fact("said"), part); }
+static size_t bytes_of(const char *folder, const char *name)
+{
+    char path[200];
+    struct stat s;
+    snprintf(path, sizeof path, "%s/%s", folder, name);
+    return stat(path, &s) == 0 ? (size_t)s.st_size : 0;
+}
+static void remove_folder(const char *folder)
+{
+    char command[200];
+    snprintf(command, sizeof command, "rm -rf '%s'", folder);
+    assert_int_equal(system(command), 0);
+}
+
+TEST(letters_drive_as_the_arrows_do)
+{
+    static const struct { int32_t key; unsigned bit; } keys[] = { { 'a', LEFT }, { 'd', RIGHT }, { 'w', UP }, { 's', DOWN }, { 'W', UP } };
+    char folder[] = "/tmp/weft-letters-XXXXXX";
+    assert_non_null(mkdtemp(folder));
+    layer_options o = { .scene = "race-car", .folder = folder, .steps = -1, .scale = 1, .width = 1100, .height = 700 };
+    open_layer(&o);
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        layer_event(&l, &in, &(game_event){ GAME_EVENT_KEY, 0, 0, keys[i].key });
+        frame(1);
+        frame(1);
+        assert_int_equal(held(), keys[i].bit);
+        layer_event(&l, &in, &(game_event){ GAME_EVENT_KEY_UP, 0, 0, keys[i].key | 32 });
+        frame(1);
+        assert_int_equal(held(), 0);
+    }
+    assert_int_equal(bytes_of(folder, "world.save"), 0);            /* and do nothing else */
+    assert_int_equal(atoi(fact("panel")), 0);
+    assert_int_equal(atoi(fact("dark")), 0);
+    press(GAME_KEY_SAVE);
+    assert_true(bytes_of(folder, "world.save") > 0);
+    layer_close(&l);
+    o.scene = "trebuchet";                                          /* it is driven, and not by these */
+    open_layer(&o);
+    press('a');
+    said("Ctrl-O");
+    layer_close(&l);
+    remove_folder(folder);
+}
+
+TEST(a_save_takes_the_place_of_none)
+{
+    char folder[] = "/tmp/weft-saves-XXXXXX", path[200], hash[3][100];
+    assert_non_null(mkdtemp(folder));
+    layer_options o = { .scene = "pyramid", .folder = folder, .steps = -1, .scale = 1, .width = 1100, .height = 700 };
+    open_layer(&o);
+    press(GAME_KEY_OPEN);
+    said("there is no world.save");
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 9; k++) frame(1);
+        press(i == 1 ? 'w' : GAME_KEY_SAVE);
+        said(i == 0 ? "/world.save" : i == 1 ? "/world.save; the one before is now world-1.save" : "now world-2.save");
+        snprintf(hash[i], sizeof hash[i], "%s", fact("hash"));
+    }
+    frame(1);
+    press(GAME_KEY_OPEN);                                           /* the newest */
+    assert_string_equal(fact("hash"), hash[2]);
+    layer_close(&l);
+    for (int i = 0; i < 2; i++) {                                   /* and each by its name on the command line, with a scene of its own */
+        snprintf(path, sizeof path, "%s/world-%d.save", folder, i + 1);
+        o.scene = NULL, o.argument = path;
+        open_layer(&o);
+        assert_string_equal(fact("hash"), hash[i]);
+        layer_close(&l);
+    }
+    remove(path);
+    assert_false(layer_open(&l, &o, 1100, 700));                    /* "can't read the world" */
+    layer_close(&l);
+    o.argument = NULL;
+    open_layer(&o);
+    remove_folder(folder);
+    press(GAME_KEY_SAVE);
+    said("world.save could not be written");
+    layer_close(&l);
+}
+
+/* A window that is closed after a body was carried, or after nothing. */
+static char shown[200], asleep[100];
+static bool carries, pauses;
+static bool window(layer *one)
+{
+    static const game_input first = { .steps = 0 };
+    char text[SIZE];
+    const char *at;
+    float x, y;
+    game_input now = first;
+    if (!layer_resize(one, 1100, 700)) return false;
+    for (int i = 0; i < 6; i++) layer_frame(one, &now);
+    one->code.describe(&one->memory, text, sizeof text);
+    at = strstr(text, "\nsaid ");
+    snprintf(shown, sizeof shown, "%.*s", (int)strcspn(at + 6, "\n"), at + 6);
+    if (carries) {
+        now.keys[0] = 'p', now.keys[1] = '[', now.key_count = 2;    /* another scene than the first */
+        layer_frame(one, &now);
+        now.key_count = 0;
+        one->code.describe(&one->memory, text, sizeof text);
+        at = strstr(text, "\nbody ");
+        assert_non_null(at);
+        assert_int_equal(sscanf(strstr(at, "pixel"), "pixel %f %f", &x, &y), 2);
+        for (int i = 0; i < 6; i++) {
+            layer_event(one, &now, &(game_event){ i ? GAME_EVENT_MOVE : GAME_EVENT_DOWN, x - 10.0f * (float)i, y - 6.0f * (float)i, GAME_BUTTON_LEFT });
+            layer_frame(one, &now);
+        }
+        layer_event(one, &now, &(game_event){ GAME_EVENT_UP, x - 50, y - 30, GAME_BUTTON_LEFT });
+        layer_frame(one, &now);
+        game_forget_moment(&now);
+        if (!pauses) now.keys[0] = 'p', now.key_count = 1;
+        layer_frame(one, &now);
+    }
+    one->code.describe(&one->memory, text, sizeof text);
+    at = strstr(text, "\nhash ");
+    snprintf(asleep, sizeof asleep, "%.16s %c", at + 6, strstr(text, "\npaused ")[8]);
+    return true;
+}
+
+TEST(a_world_that_was_changed_is_there_at_the_next_start)
+{
+    char folder[] = "/tmp/weft-last-XXXXXX", name[] = "weft-testbed", option[] = "--folder", scene[] = "pyramid", before[100], opening[100], path[200];
+    char *bare[] = { name, option, folder, NULL }, *named[] = { name, scene, option, folder, NULL };
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(layer_main(3, bare, window), 0);
+    snprintf(opening, sizeof opening, "%s", asleep);
+    assert_int_equal(bytes_of(folder, "last.save"), 0);             /* nothing was done */
+    snprintf(path, sizeof path, "%s/last.save", folder);
+    for (int i = 0; i < 2; i++) {
+        remove(path);
+        carries = true, pauses = i == 0;
+        assert_int_equal(layer_main(3, bare, window), 0);
+        snprintf(before, sizeof before, "%s", asleep);
+        carries = false;
+        for (int k = 0; k < 2; k++) {                               /* it comes back again and again */
+            assert_int_equal(layer_main(3, bare, window), 0);
+            assert_string_equal(asleep, before);
+            assert_non_null(strstr(shown, "your last world is back; R starts"));
+        }
+        assert_int_equal(layer_main(4, named, window), 0);          /* not in the place of a scene that is named, which doesn't take it away */
+        assert_string_not_equal(asleep, before);
+        assert_true(bytes_of(folder, "last.save") > 0);
+    }
+    write_bytes(path, "pyramid", 7);                                /* a damaged one is told, and goes */
+    assert_int_equal(layer_main(3, bare, window), 0);
+    assert_non_null(strstr(shown, "your last world can't be used"));
+    assert_string_equal(asleep, opening);
+    assert_int_equal(layer_main(3, bare, window), 0);
+    assert_null(strstr(shown, "last"));
+    remove_folder(folder);
+}
+
+TEST(what_is_done_on_a_tape_without_a_step_is_replayed)
+{
+    layer_options o = { .scene = "stack-of-boxes", .steps = -1, .scale = 1, .width = 1100, .height = 700 };
+    char hash[100], before[100];
+    float x, y;
+    for (int run = 0; run < 2; run++) {                             /* and what is done after the last step */
+        open_layer(&o);
+        press('p');
+        press('f');
+        if (run) press('o');
+        fact("steps");
+        assert_int_equal(sscanf(strstr(strstr(words, "\nbody "), "pixel"), "pixel %f %f", &x, &y), 2);
+        snprintf(before, sizeof before, "%s", fact("hash"));
+        for (int i = 0; i < 6; i++) {
+            layer_event(&l, &in, &(game_event){ i ? GAME_EVENT_MOVE : GAME_EVENT_DOWN, x - 30.0f * (float)i, y, GAME_BUTTON_LEFT });
+            frame(0);
+        }
+        layer_event(&l, &in, &(game_event){ GAME_EVENT_UP, x - 150, y, GAME_BUTTON_LEFT });
+        frame(0);
+        press('f');
+        snprintf(hash, sizeof hash, "%s", fact("hash"));
+        assert_string_not_equal(hash, before);
+        press('k');
+        for (int i = 0; i < 3; i++) frame(1);
+        said(run ? "replayed: 1 steps, the same" : "replayed: 0 steps, the same");
+        assert_string_equal(fact("hash"), hash);
+        layer_close(&l);
+    }
+}
+
+TEST(a_refusal_goes_with_the_next_key_and_a_file_is_named)
+{
+    static const char text[] = "{ \"weft\": 1, \"name\": \"pyramid\", \"text\": \"Mine.\", \"bodies\": [ ] }";
+    static uint32_t named[1100 * 700];
+    char folder[] = "/tmp/weft-named-XXXXXX", path[200], found[1000] = "";
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/mine.json", folder);
+    write_bytes(path, text, strlen(text));
+    layer_options o = { .argument = path, .folder = folder, .steps = -1, .scale = 1, .width = 1100, .height = 700 };
+    open_layer(&o);
+    press('p');
+    for (int i = 0; i < 60; i++) frame(0);
+    memcpy(named, l.buffer.pixels, sizeof named);
+    assert_string_equal(l.memory.text_name, "mine.json");
+    l.memory.text_name = NULL;
+    frame(0);
+    assert_memory_not_equal(named, l.buffer.pixels, sizeof named);  /* the title tells it */
+    press('u');
+    snprintf(path, sizeof path, "%s/scene.json", folder);
+    FILE *f = fopen(path, "rb");
+    assert_non_null(f);
+    assert_true(fread(found, 1, sizeof found - 1, f) > 0);
+    fclose(f);
+    assert_non_null(strstr(found, "Mine."));                        /* and what is told of it stays */
+    press(GAME_KEY_OPEN);
+    said("there is no world.save");
+    press('h');
+    assert_string_equal(fact("said"), "");
+    layer_close(&l);
+    remove_folder(folder);
 }

@@ -438,6 +438,10 @@ TEST(a_world_for_little_stays_one)   /* its arrays for what it does not need are
 
 static const struct { const char *text, *where; int line; wfResult result; const char *what; } bad[] = {
     { "", "", 1, WF_ERROR_TEXT, "not JSON" },
+    { "{", "", 1, WF_ERROR_TEXT, "ends too soon, behind: `{'" },                  /* cut off, and where */
+    { "{ \"weft\": 1,\n \"bodies\": [ 12\n\n", "", 2, WF_ERROR_TEXT, "ends too soon, behind: `12'" },
+    { "{ \"weft\": 1,\n\"name\": \"half a wo", "", 2, WF_ERROR_TEXT, "ends too soon, behind: `\"half a wo'" },
+    { "{ \"weft\" 1 ", "", 1, WF_ERROR_TEXT, "`1" },
     { "{ \"weft\": 1,\n \"bodies\": [ 1 2 ] }", "", 2, WF_ERROR_TEXT, "not JSON" },
     { "{ \"weft\": 1 } x", "", 1, WF_ERROR_TEXT, "not JSON: `x'" },
     { "[]", "", 1, WF_ERROR_TEXT, "must be an object" },

@@ -186,12 +186,32 @@ static size_t character_length(const char *s, size_t left)
 }
 
 /* parse the text */
+static const char not_json[] = "this is not JSON";
+
+/* Is something open at the end of the text, and *stop in its last word? Goes to that. */
+static bool ends_too_soon(const wfText *t, const char **stop)
+{
+    int32_t line = 1, open = 0;
+    size_t last = 0;
+    for (size_t i = 0; i < t->length;) {
+        char c = t->text[i];
+        bool begins = i == 0 || ends_word(c) || ends_word(t->text[i - 1]);
+        if ((unsigned char)c > ' ' && begins) last = i;
+        open += (c == '{' || c == '[') - (c == '}' || c == ']');
+        i = c == '"' ? skip_string(t, i, &line) : i + 1;
+    }
+    if (open <= 0 || *stop < t->text + last) return false;
+    *stop = t->text + last;
+    return true;
+}
+
 static bool syntax_error(wfText *t, const char *stop, const char *why)
 {
     int32_t line = 1;
     void *probe = cJSON_malloc(t->length + 1);
     if (probe == NULL) return wfTextResult(t, NULL, WF_ERROR_MEMORY);
     cJSON_free(probe);
+    if (why == not_json && ends_too_soon(t, &stop)) why = "the text ends too soon, behind";
     for (const char *c = t->text; c < stop; c++) line += *c == '\n';
     size_t left = t->length - (size_t)(stop - t->text), n = 0;
     for (size_t more = 1; n < left && n < 20 && more > 0; n += more)
@@ -202,7 +222,6 @@ static bool syntax_error(wfText *t, const char *stop, const char *why)
     return false;
 }
 
-static const char not_json[] = "this is not JSON";
 
 bool wfIsText(const char *s, size_t room)
 {

@@ -27,13 +27,16 @@ static bool move_to(game_input *in, float x, float y)
 
 uint32_t game_key_bit(int32_t key)
 {
+    static const char letters[] = "adws";
     if (key == GAME_KEY_ENTER) return 16;
+    for (int i = 0; i < 4; i++)
+        if (letters[i] == (key | 32)) return 1u << i;
     return key >= GAME_KEY_LEFT && key <= GAME_KEY_DOWN ? 1u << (key - GAME_KEY_LEFT) : 0;
 }
 
 int32_t game_key_with_control(int32_t letter, bool shift)
 {
-    static const char letters[] = "zyacvd";             /* as GAME_KEY_UNDO and on */
+    static const char letters[] = "zyacvdso";           /* as GAME_KEY_UNDO and on */
     for (int32_t i = 0; letters[i]; i++)
         if (letters[i] == letter) return GAME_KEY_UNDO + (i == 0 && shift ? 1 : i);
     return 0;

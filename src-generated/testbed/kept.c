@@ -139,14 +139,17 @@ void game_take_answer(game *g)
     bool brought = f->wish == GAME_FILE_BROUGHT;
     char line[TOOL_WORDS];
     f->wish = GAME_FILE_NONE;
-    snprintf(line, sizeof line, good ? "kept: %s, %u bytes" : "the file %s: not to be had",
-             f->name, (unsigned)f->size);
+    snprintf(line, sizeof line, good ? "kept: %s, %u bytes" : fetched ?
+             "there is no %s that could be read" : "%s could not be written", f->name,
+             (unsigned)f->size);
     if (brought) {
         take_brought(g);
     } else if (s->file_for == FILE_SETTINGS) {
         if (fetched && good && !read_settings(s, (const char *)f->bytes, f->size))
             game_tell(g, true, "settings.txt is not what it should be, and is not used");
         game_show_overlays(g);
+    } else if (s->file_for == FILE_LAST) {
+        if (fetched && good && f->size > 0) game_load_world(g);
     } else if (!good || !fetched) {
         if (!good && s->file_for == FILE_FRAME) s->filming &= ~FILM_FRAMES;
         game_tell(g, !good, line);

@@ -70,6 +70,18 @@ static bool complain(const char *what, const char *name)
     return false;
 }
 
+/* By its name, whose last five letters these are; NULL ends with none. */
+static bool ends_with(const char *path, const char *end)
+{
+    size_t length = path ? strlen(path) : 0;
+    return length >= 5 && strcmp(path + length - 5, end) == 0;
+}
+
+static bool is_save(const char *path)
+{
+    return ends_with(path, ".save") || ends_with(path, ".weft");
+}
+
 enum { MOST_TEXT = 1 << 24 };   /* bytes: a script of hours, a scene of 20,000 bodies */
 
 static char *read_text(const char *path)
@@ -94,13 +106,22 @@ bool layer_resize(layer *l, int32_t width, int32_t height)
     return true;
 }
 
+static void name_text(layer *l, const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    snprintf(l->name, sizeof l->name, "%.39s", slash ? slash + 1 : path);
+    l->memory.text = l->scene, l->memory.text_name = l->name;
+}
+
 static bool open_scene_file(layer *l, const char *path)
 {
     char error[400];
-    size_t length = path ? strlen(path) : 0;
-    if (length < 5 || strcmp(path + length - 5, ".json") != 0) return true;
+    FILE *save = is_save(path) ? fopen(path, "rb") : NULL;
+    if (is_save(path) && !save) return complain("can't read the world", path);
+    if (save) fclose(save), layer_bring(l, path);       /* the game has it in a frame */
+    if (!ends_with(path, ".json")) return true;
     if (!(l->scene = read_text(path))) return complain("can't read the scene", path);
-    l->memory.text = l->scene;
+    name_text(l, path);
     return game_reads_scene(l->scene, error, sizeof error) || complain(path, error);
 }
 
@@ -130,7 +151,8 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     if (options->input && !(l->text = read_text(options->input)))
         return complain("can't read the input script", options->input);
     if (l->text) input_script_open(&l->script, l->text);
-    bool files = options->folder || options->svg || options->film || options->frames;
+    bool files = options->folder || options->svg || options->film || options->frames ||
+                 is_save(options->argument);
     if (files && !open_folder(l)) return complain("out of memory", NULL);
     if (!open_scene_file(l, options->argument)) return false;
     if (options->record && !(l->record = fopen(options->record, "w")))
@@ -143,12 +165,8 @@ void layer_close(layer *l)
 {
     if (l->record) fclose(l->record);
     game_code_close(&l->code);
-    free(l->text);
-    free(l->scene);
-    free(l->file.bytes);
-    free(l->buffer.pixels);
-    free(l->memory.permanent);
-    free(l->memory.transient);
+    free(l->text), free(l->scene), free(l->file.bytes);
+    free(l->buffer.pixels), free(l->memory.permanent), free(l->memory.transient);
     memset(l, 0, sizeof *l);
 }
 
@@ -159,9 +177,26 @@ static bool plain_name(const char *name)
     return n > 0 && name[n] == 0 && name[0] != '.';
 }
 
-static bool keep_file(const char *path, const game_file *f)
+/* The file that is there gets the next free number, and aside its path; "": none is. */
+static bool put_aside(const char *path, char *aside, size_t size)
 {
-    return wfReplaceFile(path, f->bytes, f->size) == WF_OK;
+    const char *end = strrchr(path, '.');
+    FILE *there = fopen(path, "rb");
+    if (!there || !end) return !there;
+    for (int n = 1; there && n < 10000; n++) {
+        fclose(there);
+        snprintf(aside, size, "%.*s-%d%s", (int)(end - path), path, n, end);
+        there = fopen(aside, "rb");
+    }
+    if (there) fclose(there);
+    return !there && rename(path, aside) == 0;
+}
+
+static bool keep_file(const char *path, const char *aside, const game_file *f)
+{
+    bool good = wfReplaceFile(path, f->bytes, f->size) == WF_OK;
+    if (!good && aside[0]) rename(aside, path);
+    return good;
 }
 
 static bool fetch_file(const char *path, game_file *f)
@@ -201,7 +236,7 @@ static bool take_text(layer *l, const char *name)
     bool good = text && game_reads_scene(text, error, sizeof error);
     snprintf(l->said, sizeof l->said, "!%.50s: %s", name, error);
     free(good ? l->scene : text);
-    if (good) l->memory.text = l->scene = text;
+    if (good) l->scene = text, name_text(l, l->brought);
     else l->memory.news = l->said;
     return good;
 }
@@ -214,7 +249,7 @@ static void take_brought(layer *l)
     const char *slash = strrchr(l->brought, '/'), *name = slash ? slash + 1 : l->brought;
     size_t length = strlen(name), room = sizeof f->name - 1;
     name += length > room ? length - room : 0;
-    bool text = length >= 5 && strcmp(name + strlen(name) - 5, ".json") == 0;
+    bool text = ends_with(name, ".json");
     if (!l->memory.file || (!text && !fetch_file(l->brought, f)))
         l->memory.news = "!the file can't be read";
     else if (!text || take_text(l, name)) {
@@ -227,15 +262,19 @@ static void take_brought(layer *l)
 
 static void grant_wish(layer *l)
 {
-    char path[1060];
+    char path[1060], aside[1080] = "";
     game_file *f = &l->file;
     if (!l->memory.file || f->wish == GAME_FILE_NONE || f->answer) return;
-    bool good = place_file(l, path, sizeof path);
-    if (good) good = f->wish == GAME_FILE_FETCH ? fetch_file(path, f) : keep_file(path, f);
+    bool fetch = f->wish == GAME_FILE_FETCH, good = place_file(l, path, sizeof path);
+    bool own = strcmp(f->name, "settings.txt") == 0 || strcmp(f->name, "last.save") == 0;
+    if (good && !fetch && !own && !strchr(f->name, '-'))
+        good = put_aside(path, aside, sizeof aside);
+    if (good) good = fetch ? fetch_file(path, f) : keep_file(path, aside, f);
     l->exported += good && f->wish == GAME_FILE_EXPORT;
-    bool told = good && f->wish != GAME_FILE_FETCH && strcmp(f->name, "settings.txt") != 0;
-    snprintf(l->said, sizeof l->said, "kept: %.440s", path);
-    if (told) l->memory.news = l->said;
+    const char *name = strrchr(aside, '/');
+    snprintf(l->said, sizeof l->said, "kept: %.300s%s%.60s", path,
+             name ? "; the one before is now " : "", name ? name + 1 : "");
+    if (good && !fetch && !own) l->memory.news = l->said;
     f->answer = good ? GAME_FILE_DONE : GAME_FILE_FAILED;
 }
 
@@ -265,6 +304,12 @@ static void take_new_code(layer *l)
     fprintf(stderr, "weft: %s\n", l->memory.news);
 }
 
+/* A run by hand: its world comes back in the next. */
+static bool by_hand(const layer_options *o)
+{
+    return o->folder && !o->input && o->steps < 0;
+}
+
 static void press(game_input *in, int32_t key)
 {
     if (in->key_count < GAME_MAX_KEYS) in->keys[in->key_count++] = key;
@@ -274,6 +319,7 @@ static void play(layer *l, const game_input *now, const game_input *told)
 {
     if (l->record) record_input(l, now);
     l->code.update(&l->memory, told, &l->buffer);
+    l->memory.news = NULL;                              /* it was told */
     grant_wish(l);
     l->last = *now;
 }
@@ -283,8 +329,7 @@ void layer_event(layer *l, game_input *in, const game_event *e)
     if (game_take_event(in, e)) return;
     game_input part = *in;
     uint32_t *pixels = l->buffer.pixels;
-    part.seconds = 0;
-    part.steps = 0;
+    part.seconds = part.steps = 0;
     l->buffer.pixels = NULL;
     if (!l->text && l->frames > 0) play(l, &part, &part);
     l->buffer.pixels = pixels;
@@ -297,20 +342,20 @@ bool layer_frame(layer *l, const game_input *input)
     game_input now = *input;
     if (l->text) {
         int more = input_script_next(&l->script, &now);
-        if (more < 0)
-            fprintf(stderr, "%s:%d: %s\n", l->options->input, (int)l->script.line,
-                    l->script.error);
+        if (more < 0) fprintf(stderr, "%s:%d: %s\n", l->options->input,
+                              (int)l->script.line, l->script.error);
         if (more == 0 && l->options->log) write_log(l);
         if (more <= 0) return false;
     }
     if (l->frames == 0 && l->options->scene && !now.scene[0])
         snprintf(now.scene, sizeof now.scene, "%s", l->options->scene);
-    l->memory.news = NULL;
     if (l->options->library) take_new_code(l);
     take_brought(l);
     game_input told = now;
     if (l->frames == 0 && l->options->film) press(&told, GAME_KEY_FILM);
     if (l->frames == 0 && l->options->frames) press(&told, GAME_KEY_FRAMES);
+    bool bare = !l->options->scene && !l->options->argument;
+    if (l->frames == 0 && bare && by_hand(l->options)) press(&told, GAME_KEY_RETURN);
     play(l, &now, &told);
     l->frames++;
     bool over = l->options->steps >= 0 && l->frames > l->options->steps;
@@ -418,7 +463,7 @@ bool layer_finish(layer *l)
 /* live the life of a window */
 static int print_help(void)
 {
-    puts("weft-testbed [SCENE | FILE.json] [OPTION ...]\n"
+    puts("weft-testbed [SCENE | FILE.json | FILE.save] [OPTION ...]\n"
          "  --scene NAME        open this scene (weft-headless --list names them)\n"
          "  --size WxH          the window, in units of the interface (1100x700)\n"
          "  --scale N           pixels to a unit, 0.5 to 4\n"
@@ -434,10 +479,9 @@ static int print_help(void)
 static const char *take_argument(layer_options *o)
 {
     const char *word = o->argument;
-    size_t length = word ? strlen(word) : 0;
-    if (!word || (length >= 5 && strcmp(word + length - 5, ".json") == 0)) return NULL;
+    if (!word || ends_with(word, ".json") || is_save(word)) return NULL;
     if (!game_knows_scene(word) && !o->library)
-        return "neither a scene nor a file that ends with .json";
+        return "neither a scene nor a file that ends with .json or .save";
     o->scene = word;
     o->argument = NULL;
     return NULL;
@@ -461,6 +505,8 @@ int layer_main(int argc, char **argv, bool (*run)(layer *l))
     bool good = layer_open(&l, &options, 64, 64);
     l.memory.now = layer_now;
     good = good && run(&l) && layer_finish(&l);
+    for (int i = 0; i < 6 && by_hand(&options) && l.frames > 0; i++)
+        ask_for(&l, i == 3 ? GAME_KEY_LEAVE : 0, false);    /* the card is at home then */
     layer_close(&l);
     return good ? 0 : 1;
 }

@@ -46,7 +46,7 @@ typedef struct layer {
     game_memory memory;
     frame_buffer buffer;
     char *text;                 /* of the input script */
-    char *scene;                /* of a file with a scene */
+    char *scene, name[GAME_NAME_SIZE];                  /* of a file with a scene */
     game_file file;             /* the game's card, if there is a place for files */
     int32_t exported;           /* files that went out by it */
     input_script script;

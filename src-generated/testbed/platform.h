@@ -36,13 +36,13 @@ typedef struct game_memory {
     int32_t still; /* the game's: 1: without input the next picture is this one */
     int32_t cursor;             /* the game's: what the mouse looks like, GAME_CURSOR_... */
     int32_t dark;               /* the game's: 1: light on dark */
+    const char *text_name;      /* of the text's file, or NULL */
 } game_memory;
 
 enum { GAME_CURSOR_ARROW, GAME_CURSOR_POINT, GAME_CURSOR_GRAB, GAME_CURSOR_CROSS,
        GAME_CURSORS };
 
-enum { GAME_PERMANENT_SIZE = 108 * 1024 * 1024,
-       GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
+enum { GAME_PERMANENT_SIZE = 108 * 1024 * 1024, GAME_TRANSIENT_SIZE = 48 * 1024 * 1024 };
 
 /* the input of one frame */
 enum { GAME_BUTTON_LEFT = 1, GAME_BUTTON_MIDDLE = 2, GAME_BUTTON_RIGHT = 4 };
@@ -53,15 +53,17 @@ enum {
     GAME_KEY_SPACE = 32, GAME_KEY_DELETE = 127, GAME_KEY_LEFT, GAME_KEY_RIGHT, GAME_KEY_UP,
     GAME_KEY_DOWN, GAME_KEY_HOME, GAME_KEY_END, GAME_KEY_PAGE_UP, GAME_KEY_PAGE_DOWN,
     GAME_KEY_UNDO, GAME_KEY_REDO, GAME_KEY_ALL, /* Ctrl-Z; Ctrl-Shift-Z or -Y; Ctrl-A */
-    GAME_KEY_COPY, GAME_KEY_PASTE, GAME_KEY_DOUBLE                  /* Ctrl-C, -V, -D */
+    GAME_KEY_COPY, GAME_KEY_PASTE, GAME_KEY_DOUBLE,                 /* Ctrl-C, -V, -D */
+    GAME_KEY_SAVE, GAME_KEY_OPEN                                    /* Ctrl-S, Ctrl-O */
 };
 /* What a command line may press by itself: sec:platform-pictures. */
 enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
-       GAME_KEY_FRAMES = '&' };
+       GAME_KEY_FRAMES = '&',
+       GAME_KEY_RETURN = GAME_KEY_OPEN + 1, GAME_KEY_LEAVE }; /* the program begins, ends */
 
 enum { GAME_MAX_KEYS = 8 };
-/* The bit of a key that can be held: 1, 2, 4, 8 for left, right, up, down, 16 for Enter; 0
-   for any other. */
+/* The bit of a key that can be held: 1, 2, 4, 8 for left, right, up, down, and for A, D, W,
+   S; 16 for Enter; 0 for any other. */
 uint32_t game_key_bit(int32_t key);
 /* What a small letter with Ctrl (Command on a Mac) means; 0: nothing. */
 int32_t game_key_with_control(int32_t letter, bool shift);

@@ -21,6 +21,8 @@ static const named_code key_names[] = {
     { "end", GAME_KEY_END }, { "page-up", GAME_KEY_PAGE_UP }, { "undo", GAME_KEY_UNDO },
     { "page-down", GAME_KEY_PAGE_DOWN }, { "redo", GAME_KEY_REDO }, { "all", GAME_KEY_ALL },
     { "copy", GAME_KEY_COPY }, { "paste", GAME_KEY_PASTE }, { "double", GAME_KEY_DOUBLE },
+    { "save", GAME_KEY_SAVE }, { "open", GAME_KEY_OPEN },
+    { "return", GAME_KEY_RETURN }, { "leave", GAME_KEY_LEAVE },
     { NULL, 0 }
 };
 

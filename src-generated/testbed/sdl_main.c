@@ -145,9 +145,9 @@ static void take_event(sdl_app *app, const SDL_Event *e)
              ? game_key_with_control(e->key.keysym.sym, e->key.keysym.mod & KMOD_SHIFT)
              : key_of(e->key.keysym.sym));
         break;
-    case SDL_KEYUP:
-        if (key_of(e->key.keysym.sym))
-            take(app, GAME_EVENT_KEY_UP, 0, 0, key_of(e->key.keysym.sym));
+    case SDL_KEYUP:                                     /* a letter's code is the letter */
+        take(app, GAME_EVENT_KEY_UP, 0, 0, key_of(e->key.keysym.sym)
+             ? key_of(e->key.keysym.sym) : e->key.keysym.sym ? e->key.keysym.sym : -1);
         break;
     case SDL_WINDOWEVENT:
         if (e->window.event == SDL_WINDOWEVENT_FOCUS_LOST)

@@ -59,12 +59,14 @@ static LRESULT CALLBACK on_message(HWND window, UINT what, WPARAM w, LPARAM l)
         take(app, GAME_EVENT_WHEEL, 0, (float)GET_WHEEL_DELTA_WPARAM(w) / WHEEL_DELTA, 0);
         return 0;
     case WM_KEYDOWN: take(app, GAME_EVENT_KEY, 0, 0, key_of(w)); return 0;
-    case WM_KEYUP: if (key_of(w)) take(app, GAME_EVENT_KEY_UP, 0, 0, key_of(w)); return 0;
+    case WM_KEYUP:                                      /* a letter's code is the letter */
+        take(app, GAME_EVENT_KEY_UP, 0, 0, key_of(w) ? key_of(w) : (int32_t)w);
+        return 0;
     case WM_KILLFOCUS: take(app, GAME_EVENT_KEY_UP, 0, 0, 0); return 0;
     case WM_CHAR: /* Ctrl-A comes as 1, Ctrl-Z as 26 */
         if (w < 27)
             w = (WPARAM)game_key_with_control('`' + (int32_t)w, GetKeyState(VK_SHIFT) < 0);
-        if (w >= 32 && w != 127 && w <= GAME_KEY_DOUBLE)
+        if (w >= 32 && w != 127 && w <= GAME_KEY_OPEN)
             take(app, GAME_EVENT_KEY, 0, 0, (int32_t)w);
         return 0;
     default: return DefWindowProcW(window, what, w, l);

@@ -37,6 +37,7 @@ told 'no such scene' --scene stack-of-bixes
 told 'line 1' "$work/bad.json"
 told "can't read the scene" "$work/folder.json"
 told "can't read the scene" "$work/none.json"
+told "can't read the world" "$work/none.save"
 told 'no such option' --sceen
 SDL_VIDEODRIVER=x11 DISPLAY=:nowhere "$program" --steps 3 >"$work/said" 2>&1 && { echo "xvfb.sh: without a display it leaves with 0"; exit 1; }
 grep -q 'no display' "$work/said" || { echo "xvfb.sh: without a display it says: $(cat "$work/said")"; exit 1; }
@@ -196,7 +197,11 @@ finger up 5 2
 until_true "the second lets go" holds 2
 finger up 3 1
 until_true "and the first" holds 0
-key w
+xdotool keydown w
+until_true "the letter W gives gas" holds 4
+xdotool keyup w
+until_true "and lets go" holds 0
+key ctrl+s
 saved() { [ -s "$work/world.save" ]; }
 until_true "the world is saved" saved
 mv "$work/world.save" "$work/mine.weft"
