@@ -213,9 +213,9 @@ void game_button_key(game *g, int32_t key)
         if (button_table[i].key == key) game_press_button(g, &button_table[i]);
 }
 
-static void bar_room(bar *b, float w)
+static void bar_room(const ui *u, bar *b, float w)
 {
-    if (b->x + w > b->right && b->x > b->left) b->x = b->left, b->y += BAR_ROW;
+    if (b->x + w > b->right && b->x > b->left) b->x = b->left, b->y += ui_bar_high(u);
 }
 
 static float button_wide(const char *name)
@@ -228,7 +228,7 @@ bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
     float w = button_wide(name);
     if (w < b->least) w = b->least;
     if (b->terse && ui_has_icon(name)) w = b->icon;
-    bar_room(b, w);
+    bar_room(u, b, w);
     bool hit = ui_button(u, name, b->x, b->y, w, on);
     ui_tip(u, name, text, b->x, b->y, w, 24);
     b->x += w + 4;
@@ -327,7 +327,7 @@ static bool last_words(const game *g, char line[200], int *ink)
     const char *hint = game_hint(g, true);
     if (hint) *ink = WF_INK_ACCENT;
     snprintf(line, 200, "%s", hint ? hint :
-             s->finger ? "drag bodies, or the view   two fingers: zoom   rest on one: menu" :
+             s->finger ? "drag: bodies, view   hold: menu   two fingers: zoom" :
              "?: all keys   drag: hold and throw   right drag: move the view   "
              "wheel: zoom   right click on a body: menu");
     return false;
@@ -384,13 +384,13 @@ void game_key_sheet(ui *u, game *g, float x)
         { "Tab, \\", "hide or show the list" },
 #endif
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
-        { "arrows", "move the view, or drive" },
+        { "arrows", "move the view; or drive (W A S D)" },
         { "Q, E, wheel", "turn what is held" }, { "T", "change its shape" },
         { "1 to 0", "show contacts, normals, ..." }, { "D", "dark or light" },
         { "S", "the settings of the world" }, { "/", "find a scene" },
         { "G B Y I", "hand, place, draw, pin" },
         { "J L X V", "connect, lasso, delete, probe" },
-        { "F, K", "record, replay" }, { "W, A", "save the world, load it" },
+        { "F, K", "record, replay" }, { "Ctrl-S -O", "save the world, load it (W, A)" },
         { "U, Z", "write and read JSON" }, { "C", "copy the scene as C" },
         { "! #", "picture of the window; drawing" },
         { "% &", "film; film as single pictures" },
@@ -445,7 +445,7 @@ void game_tool_bar(ui *u, game *g, bar *b)
     tool_memory *m = &g->state->tools;
     float room = b->right - b->left, wide = 106, all = 0, n = 0;
     b->x = b->left;
-    b->y += BAR_ROW;
+    b->y += ui_bar_high(u);
     for (int i = 0; i < toolCount; i++) all += button_wide(toolTable[i].name) + 4;
     for (int i = 0; i < TOOL_CHOICES; i++) n += (toolTable[m->tool].choices >> i & 1) != 0;
     bool tight = all - 4 > room;
@@ -459,13 +459,13 @@ void game_tool_bar(ui *u, game *g, bar *b)
         if (hit) game_choose_tool(g, i);
     }
     bool below = tight || b->x + n * (wide + 6) - 6 > b->right;
-    float y = b->y + 1;
+    float y = b->y + 1, high = ui_bar_high(u);
     if (below && n > 0) {
         wide = fminf(wide, (room + 6) / n - 6);
         b->x = b->right - n * (wide + 6) + 6;
         b->right = b->x - 6;
-        y += g->state->height < LOW ? BAR_ROW : 36;
-        if (g->state->challenge && g->state->height < LOW) b->y += BAR_ROW; /* its card */
+        y += g->state->height < LOW ? high : fmaxf(36, high);
+        if (g->state->challenge && g->state->height < LOW) b->y += high;    /* its card */
     }
     for (int i = 0; i < TOOL_CHOICES; i++) {
         const tool_names *c = &toolChoices[i];
@@ -476,7 +476,7 @@ void game_tool_bar(ui *u, game *g, bar *b)
             m->choice[i] = row;
             if (i == TOOL_JOINT)
                 snprintf(m->said, sizeof m->said, "%s: %s", tool_choice_name(c, row),
-                         tool_joint_text(row));
+                         tool_joint_text(row)), m->refused = 0;
         }
         b->x += wide + 6;
     }

@@ -146,7 +146,10 @@ static bool moves_mark(game_state *s, int32_t key)
     else if (key == GAME_KEY_RIGHT) s->mark_x += step;
     else if (key == GAME_KEY_UP) s->mark_y -= step;
     else if (key == GAME_KEY_DOWN) s->mark_y += step;
-    else return false;
+    else {
+        if (key == GAME_KEY_PAGE_DOWN || key == GAME_KEY_PAGE_UP) s->mark = 0;
+        return false;
+    }
     return true;
 }
 
@@ -156,7 +159,7 @@ void game_obey_mark(game_state *s, game_input *in)
     int32_t kept = 0;
     if (in->mouse_x != s->hand_x || in->mouse_y != s->hand_y) s->mark = 0;
     s->hand_x = in->mouse_x, s->hand_y = in->mouse_y;
-    if (!s->mark || s->ui.focus || s->ui.typing) return;
+    if (!s->mark || s->menu || s->ui.focus || s->ui.typing) return;
     for (int32_t i = 0; i < in->key_count && i < GAME_MAX_KEYS; i++) {
         if (in->keys[i] == GAME_KEY_ENTER) {
             s->mark_down = !s->mark_down;
@@ -175,7 +178,7 @@ static void put_mark(game *g)
 {
     game_state *s = g->state;
     s->mark = !s->mark;
-    s->mark_down = 0;
+    s->mark_down = s->ui.focus = 0;
     s->mark_x = s->camera.left + s->camera.wide / 2;
     s->mark_y = s->camera.top + s->camera.high / 2;
 }
@@ -243,7 +246,9 @@ static control_row row_of_controls(const game *g)
     float left = game_list_side(s) + 8, room = s->width - game_beside(s) - left - 8;
     for (int i = 0; i < WF_CONTROLS; i++)
         if (g->scene->controls[i]) r.all |= 1u << i, r.n++;
-    if (!s->opened || r.n < 1 || game_panel_covers(s)) return (control_row){ 0 };
+    bool covered = game_panel_covers(s), above = game_panel_top(s) > s->head;
+    if (!s->opened || r.n < 1 || (covered && !above)) return (control_row){ 0 };
+    if (covered) r.y = game_panel_top(s) - CONTROL_HIGH - 4;
     bool beside = are_beside(s, r.n);
     float most = beside ? CONTROL_NARROW : CONTROL_WIDE;
     r.w = fminf(most, (room + CONTROL_GAP) / r.n - CONTROL_GAP);
@@ -294,7 +299,7 @@ void game_say_controls(wfWriter *w, const game *g)
     bool covered = s->menu || (!s->bare && game_has_drawer(s));
     double k = (double)s->scale;
     wfPut(w, "controls %u %u pixel %.1f %.1f %.1f %.1f %.1f apart %d %.1f\n",
-        covered ? 0 : (unsigned)r.all, (unsigned)s->input.held, k * (double)r.x,
+        covered ? 0 : (unsigned)r.all, (unsigned)s->input.held & 31, k * (double)r.x,
         k * (double)r.y, k * (double)r.w, k * CONTROL_HIGH, k * CONTROL_GAP, r.left,
         k * (double)r.apart);
     wfPut(w, "driver %s\n", told ? told : "");
@@ -331,6 +336,7 @@ static void choose_next(game *g)
         if (!v.alive[at] || v.props[at].type == WF_STATIC) continue;
         tool_choose(m, wfBodyAt(&g->world, at));
         snprintf(m->said, sizeof m->said, "chosen: body %d", (int)at);
+        m->refused = 0;
         return;
     }
 }
@@ -348,7 +354,7 @@ WF_APART static void choose_all(game *g, bool all)
     tool_memory *m = &g->state->tools;
     wfBodyView v = wfWorldBodies(&g->world);
     tool_choose(m, (wfBodyId){ 0, 0 });
-    m->points = m->probed = m->said[0] = 0;
+    m->points = m->probed = m->said[0] = m->refused = 0;
     for (int32_t i = 0; all && i < v.count && m->count < TOOL_CHOSEN; i++)
         if (v.alive[i] && v.props[i].type != WF_STATIC)
             m->chosen[m->count++] = wfBodyAt(&g->world, i);
@@ -376,10 +382,20 @@ static void turn_body(game *g, wfReal by)
     else g->state->input.turn = wfWrapAngle(g->state->input.turn + by);
 }
 
+/* The letters W, A, S and D do nothing else in a scene that is driven. */
+static bool is_for_driving(game *g, int32_t small)
+{
+    if (small >= 127 || !(game_key_bit(small) & 15) || !game_drives_any(g)) return false;
+    if (!game_drives(g, game_key_bit(small)))
+        game_tell(g, false, "W, A, S, D drive; Ctrl-S saves the world, Ctrl-O opens it");
+    return true;
+}
+
 void game_obey_key(game *g, int32_t key)
 {
     game_state *s = g->state;
     int32_t small = key >= 'A' && key <= 'Z' ? key - 'A' + 'a' : key;
+    if (is_for_driving(g, small)) return;
     game_button_key(g, small);
     switch (key) {
     case '\\': s->list = !s->list; break;
@@ -403,7 +419,9 @@ void game_obey_key(game *g, int32_t key)
         s->menu = s->keys = 0;
         break;
     default:
-        if (!s->ui.focus && !(s->driven && game_key_bit(key)) &&
+        if (s->menu) s->menu_way += (key == GAME_KEY_DOWN) - (key == GAME_KEY_UP);
+        if (s->menu) s->menu_do |= key == GAME_KEY_ENTER;
+        else if (!s->ui.focus && !(s->driven && game_key_bit(key)) &&
             !game_drives(g, game_key_bit(key))) obey_view_key(g, key);
         break;
     }

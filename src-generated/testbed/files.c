@@ -15,7 +15,7 @@ bool game_wish(game *g, int32_t wanted, int32_t what, const char *name)
     f->answer = 0;
     snprintf(f->name, sizeof f->name, "%s", name);
     g->state->file_for = what;
-    if (what != FILE_SETTINGS) {                    /* at once; the answer comes later */
+    if (what != FILE_SETTINGS && what != FILE_LAST) {   /* the answer comes later */
         g->state->tools.refused = 0;
         snprintf(g->state->tools.said, sizeof g->state->tools.said, "%s ...", name);
     }
@@ -41,8 +41,25 @@ static void send_world(game *g, int32_t wanted, int32_t what, const char *name)
     wfResult result = wfSaveToBytes(&g->world, f->bytes + SAVE_HEAD,
                                     f->capacity - SAVE_HEAD, &f->size);
     f->size += SAVE_HEAD;
+    if (what == FILE_LAST) f->bytes[SAVE_HEAD - 1] = g->state->paused != 0;
     if (result != WF_OK) game_tell(g, true, wfResultText(result));
     else game_wish(g, wanted, what, name);
+}
+
+/* As the program begins (RETURN) and ends (LEAVE). A try at a challenge is not kept. */
+void game_keep_last(game *g, int32_t key)
+{
+    game_state *s = g->state;
+    bool home = s->opened && g->file && g->file->wish == GAME_FILE_NONE;
+    bool work = game_was_changed(s) && !g->scene->alias;
+    if (home && key == GAME_KEY_RETURN) {
+        game_wish(g, GAME_FILE_FETCH, FILE_LAST, "last.save");
+    } else if (home && work) {
+        send_world(g, GAME_FILE_KEEP, FILE_LAST, "last.save");
+    } else if (home && s->last) {
+        g->file->size = 0;
+        game_wish(g, GAME_FILE_KEEP, FILE_LAST, "last.save");
+    }
 }
 
 void game_press_save(game *g)
@@ -93,13 +110,21 @@ void game_load_world(game *g)
     if (whole)
         result = wfLoadFromBytes(f->bytes + SAVE_HEAD, f->size - SAVE_HEAD, &spare, &made);
     int32_t to = row < 0 ? g->state->row : row, moments = 0;
+    bool last = strcmp(f->name, "last.save") == 0;          /* Undo goes to its beginning */
+    if (result == WF_OK && last && to != g->state->row) game_open_scene(g, to);
     if (result == WF_OK) moments = game_keep_for_undo(g, true);
     if (result == WF_OK && to != g->state->row) game_open_scene(g, to);
     if (result == WF_OK) result = game_adopt(g, &made, moments);
     wfPoolRewind(&g->scratch, mark);
-    game_tell(g, result != WF_OK, result ? wfResultText(result) :
-              row < 0 ? "loaded, into this scene: its own is not here" :
-              "loaded: the world as it was");
+    if (result == WF_OK && last) g->state->paused = f->bytes[SAVE_HEAD - 1] != 0;
+    if (last) g->state->last = 1, g->state->hint = 0;
+    char line[TOOL_WORDS];
+    snprintf(line, sizeof line, "%s%s", last && result ? "your last world can't be used: " :
+             last ? "your last world is back; " : result ? "" :
+             row < 0 ? "loaded, " : "loaded: ", result ? wfResultText(result) :
+             row < 0 ? "into this scene: its own is not here" :
+             last ? "R starts its scene anew" : "the world as it was");
+    game_tell(g, result != WF_OK, line);
 }
 
 void game_press_write(game *g)
@@ -110,6 +135,7 @@ void game_press_write(game *g)
                          .viewHeight = (wfReal)g->state->camera.height,
                          .energyBound = -1, .depthBound = -1 };
     snprintf(info.name, sizeof info.name, "%s", g->scene->name);
+    snprintf(info.text, sizeof info.text, "%s", g->scene->text ? g->scene->text : "");
     game_file *f = g->file;
     wfResult result = wfTextOfWorld(&g->world, &info, (char *)f->bytes, f->capacity,
                                     &f->size);

@@ -40,12 +40,15 @@ static void interface(ui *u, game *g, double seconds)
         ui_fitted(u, b.x + 6, b.y + 16, WF_INK_TEXT, rest, g->scene->name);
     b.terse = false;
     if (s->bar) game_tool_bar(u, g, &b);
-    s->head = b.y + BAR_ROW + (s->height < LOW ? 0 : HEAD_TEXT - 10);
+    s->head = b.y + ui_bar_high(u) + (s->height < LOW ? 0 : HEAD_TEXT - 10);
     /* name the scene */
     if (s->height >= LOW) {
-        float wide = wfTextWidth(&wfBakedFont, 16, g->scene->name);
-        if (x + wide < b.right)
-            ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, g->scene->name);
+        char title[2 * GAME_NAME_SIZE + 4];
+        bool file = g->scene == &g->guest && g->text_name;
+        snprintf(title, sizeof title, "%s%s%s%s", g->scene->name, file ? " (" : "",
+                 file ? g->text_name : "", file ? ")" : "");
+        float wide = wfTextWidth(&wfBakedFont, 16, title);
+        if (x + wide < b.right) ui_text(u, x, s->head - 30, 16, WF_INK_TEXT, -1, title);
         if (!game_has_panes(s) && b.right == s->width - 8)
             game_draw_legend(u, g, x + 12 + wide);
         if (!g->scene->alias)                               /* a task stands on its card */
@@ -151,6 +154,14 @@ static void fold_panels(game_state *s)
     }
 }
 
+/* A picture of another size has other places: what a finger has begun is broken off. */
+static void end_gesture(game_state *s)
+{
+    s->tools.down = s->tools.points = s->tools.dragging = s->panning = 0;
+    s->held = (wfBodyId){ 0 };
+    s->ui.active = 0;
+}
+
 static bool stays_as_it_is(game *g)
 {
     game_state *s = g->state;
@@ -235,15 +246,19 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     game_obey_mark(s, &now);
     input = &now;
     if (!(input->held & GAME_BUTTON_LEFT)) s->editing = 0;
+    if (s->tools.refused && (input->key_count || input->pressed)) game_tell(&g, false, "");
     game_take_answer(&g);
     fold_panels(s);
     if (!s->bar && !s->bare && s->tools.tool) game_choose_tool(&g, 0);
     bool turned = s->finger && (s->seen_width > s->seen_height) != (s->width > s->height);
     if (turned && s->opened && s->seen_width > 0) game_look_home(&g);
+    if (s->seen_width != s->width || s->seen_height != s->height) end_gesture(s);
     if (input->scene[0]) open_by_name(&g, input->scene);
     bool bad = memory->news && memory->news[0] == '!';
     if (memory->news) game_tell(&g, bad, memory->news + bad);
     ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
+    if (s->told > 0 && (s->told -= input->seconds) <= 0 &&
+        strcmp(s->tools.said, UNDO_HINT) == 0) s->tools.said[0] = 0;
     s->enter = 0;
     for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++) {
         if (input->keys[i] == GAME_KEY_ENTER) s->enter = 1;
@@ -321,6 +336,8 @@ size_t game_describe(const game_memory *memory, char *text, size_t size)
     }
     wfPut(&w, "tape %d\nneeds %u\nfilming %d %d\n", (int)s->tape, (unsigned)game_needs_now(&g),
         (int)s->filming, (int)(s->film.pictures + s->frame_count));
+    char words[GAME_NAME_SIZE];
+    if (ui_edited(&s->ui)) wfPut(&w, "edits %s\n", ui_words(ui_edited(&s->ui), words));
     if (s->tools.joint.index) game_say_joint(&w, &g);
     wfPut(&w, "tool %s\nchosen %d\nsaid %s\n", toolTable[s->tools.tool].name,
         (int)s->tools.count, s->tools.said);

@@ -27,7 +27,7 @@ typedef struct tape_note {
 } tape_note;
 enum { TAPE_STEP = 256 };           /* more bytes of a journal than a step needs */
 enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
-       FILE_FRAME, FILE_CURVES, FILE_LINK };
+       FILE_FRAME, FILE_CURVES, FILE_LINK, FILE_LAST };
 enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
@@ -72,12 +72,13 @@ typedef struct game_state {
     int32_t again;                      /* 1 + a button that stays under the mouse; 0: none */
     float again_at[4];                  /* ... where: its middle and size, pixels */
     wfBodyId hover;                     /* the body under the mouse; index 0: none */
-    int32_t menu;                       /* its menu is open, here: units */
+    int32_t menu, menu_way, menu_do;    /* its menu is open, here: units; arrows, Enter */
     float menu_x, menu_y;
     double rest;                        /* s that a finger has rested where it came down */
     float asked_x, asked_y;             /* pixels: there */
     wfBodyId follow;                    /* the camera goes along with it; index 0: nobody */
     int32_t hint;                       /* nobody has grabbed anything yet */
+    double told;                        /* s that UNDO_HINT stays for */
     int32_t driven;                     /* 1: somebody drives the scene, and not its demo */
     int32_t grasped;                    /* 1 + the control under mouse or finger; 0: none */
     int32_t ends;                       /* 1: a scene that is empty stays so */
@@ -107,6 +108,7 @@ typedef struct game_state {
     int32_t file_for;                   /* what the wish is for: FILE_... */
     int32_t asked;                      /* 1: for the settings; 2: they have come, or none */
     int32_t read;                       /* the world came from a file, and not from its scene */
+    int32_t last;                       /* 1: it is what the run before was left with, or was */
     uint64_t kept;                      /* checksum of the settings that are kept */
     int32_t shots, filming, film_over;  /* SHOT_..., FILM_... that are wanted, that run; an
                                            ended film waits for the card */
@@ -151,7 +153,7 @@ typedef struct game_state {
     int32_t allowed;                    /* what changed since the last step was allowed */
     uint64_t given, tried;              /* checksum of the scene as made; after a step */
     wfTrial trial;
-    double calm;        /* s since anything moved; < 0: so long until offers that were used go */
+    double calm;    /* s since anything moved; < 0: until used offers go */
 } game_state;
 
 /* What one call works with. Gone when it returns. */
@@ -161,7 +163,7 @@ typedef struct game {
     wfMemory memory;                    /* of the world */
     wfWorld world;
     const wfScene *scene;
-    const char *text;                   /* of a scene that was brought along, or NULL */
+    const char *text, *text_name;       /* of a scene that was brought along, or NULL */
     wfScene guest;                      /* that scene */
     wfPool scratch;                     /* the other half of transient memory */
     wfRewind ring;                      /* of snapshots, in the rest of permanent memory */
@@ -189,6 +191,7 @@ void game_note_ring(game *g);
 int game_scene_count(const game *g);
 const wfScene *game_scene_at(const game *g, int row);
 void game_tell(game *g, bool refused, const char *what);    /* on the last line */
+#define UNDO_HINT "Undo brings back what you have changed"
 /* the world */
 camera game_home(const game *g);
 void game_look_home(game *g);

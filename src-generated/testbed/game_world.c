@@ -125,7 +125,7 @@ void game_open_scene(game *g, int row)
     }
     if (s->opened && g->scene->follow)
         s->follow = wfBodyAt(&g->world, g->scene->follow - 1);
-    if (moments > before) game_tell(g, false, "Undo brings back what you have changed");
+    if (moments > before) game_tell(g, false, UNDO_HINT), s->told = 6;
 }
 
 static uint32_t controls_of(const wfScene *scene)
@@ -140,7 +140,8 @@ static uint32_t controls_of(const wfScene *scene)
 bool game_drives(const game *g, uint32_t bit)
 {
     const game_state *s = g->state;
-    return !s->mark && !s->ui.focus && !s->ui.typing && (controls_of(g->scene) & bit);
+    return !s->mark && !s->menu && !s->ui.focus && !s->ui.typing &&
+           (controls_of(g->scene) & bit);
 }
 
 bool game_drives_any(const game *g) { return controls_of(g->scene) != 0; }
@@ -158,7 +159,8 @@ void game_find_held(game *g)
     if (s->grasped) keys |= 1u << (s->grasped - 1);
     s->input.held = keys & all;
     if (s->input.held) s->driven = 1, s->hint = 0;
-    if (!s->driven)
+    if (s->driven) s->input.held |= WF_BY_HAND;
+    else
         s->input.held = wfSceneInputAt(g->scene, (int64_t)wfWorldSteps(&g->world)).held;
 }
 

@@ -76,7 +76,7 @@ static void menu_plot(game *g, wfBodyId id) { game_plot_body(g, id); }
 static void menu_numbers(game *g, wfBodyId id)
 {
     (void)id;
-    g->state->panel = 1, g->state->tab = TAB_BODY;
+    g->state->panel = 1, g->state->tab = TAB_BODY, g->state->panel_scroll = 0;
 }
 
 /* Opens at this place of the picture for the body there, if there is one. */
@@ -87,7 +87,20 @@ void game_open_menu(game *g, float x, float y)
     tool_lead(&s->tools, s->hover);
     s->held = (wfBodyId){ 0 };
     s->menu = 1;
+    s->ui.focus = s->menu_way = s->menu_do = 0;
     s->menu_x = x / s->scale, s->menu_y = y / s->scale;
+}
+
+/* The row that has the keys, after the arrows of this frame; the first is behind so many
+   widgets. -1: none. */
+static int walk_menu(game_state *s, int before, int rows)
+{
+    int row = s->ui.focus - before - 1;
+    if (s->menu_way && (row < 0 || row >= rows)) row = s->menu_way > 0 ? -1 : rows;
+    if (s->menu_way) row = ((row + s->menu_way) % rows + rows) % rows;
+    if (s->menu_way) s->ui.focus = before + 1 + row;
+    s->menu_way = 0;
+    return row;
 }
 
 void game_body_menu(ui *u, game *g)
@@ -108,6 +121,8 @@ void game_body_menu(ui *u, game *g)
     float w = 150, each = ui_row_high(u), h = ROWS * each + 8;
     float x = s->menu_x + w > s->width ? s->width - w : s->menu_x;
     float y = s->menu_y + h > s->height ? s->height - h : s->menu_y;
+    int keys = walk_menu(s, u->index, ROWS), done = s->menu_do ? keys : -1;
+    s->menu_do = 0;
     ui_box(u, x, y, w, h, WF_INK_LINE, WF_INK_PAPER);
     for (int i = 0; i < ROWS; i++) {
         bool all = s->tools.count > 1 && row[i].all;
@@ -115,10 +130,11 @@ void game_body_menu(ui *u, game *g)
         if (row[i].act == menu_freeze && is_frozen(g, id))
             name = all ? "Let them move" : "Let it move";
         if (row[i].act == menu_follow && s->follow.index == id.index) name = "Don't follow";
-        if (!ui_row(u, name, x + 4, y + 4 + each * (float)i, w - 8, false)) continue;
+        if (!ui_row(u, name, x + 4, y + 4 + each * (float)i, w - 8, i == keys) && i != done)
+            continue;
         for (int k = all ? s->tools.count - 1 : 0; k >= 0; k--)     /* the first is last */
             if (k < s->tools.count) row[i].act(g, s->tools.chosen[k]);
-        s->menu = 0;
+        s->menu = s->ui.focus = 0;
     }
     if (u->click && !u->draw && !ui_inside(u, x, y, w, h)) s->menu = 0;
     u->over = true;

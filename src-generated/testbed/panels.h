@@ -30,6 +30,7 @@ enum { B_MASS, B_DENSITY, B_BOUNCE, B_FRICTION, B_DRAG, B_SPIN_DRAG, B_VX, B_VY,
 bool game_has_card(game *g);
 bool game_wish(game *g, int32_t wanted, int32_t what, const char *name);
 void game_load_world(game *g);
+void game_keep_last(game *g, int32_t key);
 void game_read_text(game *g);
 void game_press_save(game *g);
 void game_press_load(game *g);

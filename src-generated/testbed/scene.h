@@ -7,14 +7,14 @@
 #include "weft/weft.h"
 
 /* The controls of a scene that is driven: the arrow keys and Enter, and their buttons. */
-enum { WF_LEFT, WF_RIGHT, WF_UP, WF_DOWN, WF_ENTER, WF_CONTROLS };
+enum { WF_LEFT, WF_RIGHT, WF_UP, WF_DOWN, WF_ENTER, WF_CONTROLS, WF_BY_HAND = 1 << 30 };
 
 /* Of the user, a scene knows where the mouse is and how often some keys were pressed. */
 typedef struct wfSceneInput {
     wfVec2  mouse;              /* m, world coordinates */
     wfReal  turn;               /* rad: the keys Q and E turn the testing body */
     int32_t choice;             /* from 0: the key T changes its shape */
-    uint32_t held;              /* bit i: control i is held */
+    uint32_t held;              /* bit i: control i; WF_BY_HAND: no demo's */
 } wfSceneInput;
 
 /* Overlays, to be switched on and off by the user; a scene says which it begins with. */

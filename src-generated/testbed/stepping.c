@@ -148,6 +148,16 @@ static void end_step(game *g, wfReal h)
     g->state->calm = !rests ? 0 : used && calm + (double)h >= 0 ? 7 : calm + (double)h;
 }
 
+/* A control that is pressed while time stands does nothing, and says why. */
+static void tell_paused(game *g)
+{
+    const game_input *in = g->input;
+    uint32_t keys = in->pressed && g->state->grasped ? 1u << (g->state->grasped - 1) : 0;
+    for (int i = 0; i < in->key_count && i < GAME_MAX_KEYS; i++)
+        keys |= game_key_bit(in->keys[i]);
+    if (game_drives(g, keys)) game_tell(g, false, "paused: Play lets time run");
+}
+
 void game_step_world(game *g)
 {
     game_state *s = g->state;
@@ -164,7 +174,7 @@ void game_step_world(game *g)
             note_pace(s, g->input->seconds * s->rate, steps * (double)def.timeStep);
         if (!s->paused) s->between = (wfReal)s->clock.left / def.timeStep;
     }
-    if (s->paused) steps = s->single;
+    if (s->paused) steps = s->single, tell_paused(g);
     s->single = 0;
     if (steps > 0) game_stay_there(g);
     for (; steps > 0; steps--) {

@@ -87,6 +87,14 @@ static void end_replay(game *g, wfResult result)
                   wfResultText(result));
 }
 
+/* The tape is over; with what was done after its last step. */
+static void end_tape(game *g, wfReplay *r)
+{
+    int32_t stepped;
+    r->journal = &g->journal;
+    end_replay(g, wfReplayStep(r, &g->world, NULL, &stepped));
+}
+
 void game_replay_one(game *g)
 {
     game_state *s = g->state;
@@ -96,7 +104,7 @@ void game_replay_one(game *g)
     int32_t stepped = 0;
     wfResult result = WF_OK;
     if (s->played == s->notes) {
-        end_replay(g, WF_OK);
+        end_tape(g, &r);
         return;
     }
     before.used = note->mark;
@@ -108,5 +116,5 @@ void game_replay_one(game *g)
     s->replay_at = r.at;
     s->replay_left = r.left;
     if (result != WF_OK) end_replay(g, result);
-    else if (++s->played == s->notes) end_replay(g, WF_OK);
+    else if (++s->played == s->notes) end_tape(g, &r);
 }

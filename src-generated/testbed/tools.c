@@ -619,6 +619,10 @@ static void connect(tool_work *w)
     tool_memory *m = w->memory;
     int row = m->choice[TOOL_JOINT];
     wfBodyId other = body_at(w, m->at, m->body);
+    wfBodyId near = tool_pick(w->world, m->at, m->reach);   /* as the press forgave */
+    int32_t i = wfBodyIndex(w->world, other);
+    bool hit = i >= 0 && wfWorldBodies(w->world).props[i].type == WF_DYNAMIC;
+    if (!hit && near.index && near.index != m->body.index) other = near;
     wfResult result = join(w, row, m->body, other, m->from, m->at);
     if (result == WF_OK) tool_choose_joint(w, m->near);
     if (result == WF_ERROR_STALE_ID) say_no(m, "there is no body");

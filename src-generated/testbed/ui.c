@@ -44,6 +44,9 @@ ui ui_look(ui_memory *memory, const game_input *input, float width, float height
              .held = input->held & GAME_BUTTON_LEFT, .finger = input->finger != 0,
              .room = { 0, 0, width, height } };
     u.click = u.press;
+    bool rests = memory->mouse_x == input->mouse_x && memory->mouse_y == input->mouse_y;
+    memory->quiet = input->key_count > 0 || (memory->quiet && rests);
+    memory->mouse_x = input->mouse_x, memory->mouse_y = input->mouse_y;
     take_finger(&u, input);
     take_keys(&u, input);
     if (u.press) memory->focus = 0;
@@ -245,7 +248,7 @@ bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
     const char *icon = icon_of(name);
     ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            on ? WF_INK_ACCENT : WF_INK_PAPER);
-    float more = u->finger ? 3 : 0;             /* half the way to the next row */
+    float more = u->finger ? 4 : 0;             /* half the way to the next row */
     bool alone = icon && w <= UI_ICON;
     draw_icon(u, icon, x + (alone ? w / 2 - 6 : 3), y + 6);
     if (alone) return ui_area(u, name, x, y - more, w, 24 + 2 * more);
@@ -269,7 +272,11 @@ bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
     return ui_area(u, name, x, y, w, 19);
 }
 
-float ui_row_high(const ui *u) { return u->finger ? 30 : 19; }
+float ui_row_high(const ui *u)          /* a low picture has no room for more */
+{
+    return !u->finger ? 19 : u->height < 420 ? 30 : 34;
+}
+float ui_bar_high(const ui *u) { return u->finger ? 32 : 30; }
 
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
@@ -287,7 +294,8 @@ bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 double ui_pulled(double v0, double d, ui_range r)
 {
     double v;
-    if (r.most - r.least < 1e4) v = v0 + d / 160 * (r.most - r.least);
+    bool wide = r.least >= 0 && r.most > 150 * r.usual;         /* too coarse for a line */
+    if (r.most - r.least < 1e4 && !wide) v = v0 + d / 160 * (r.most - r.least);
     else if (r.least >= 0 && v0 > 0) v = v0 * exp2(d / 40);
     else v = v0 + d / 40 * r.usual;
     if (r.whole) v = floor(v + 0.5);
@@ -434,7 +442,7 @@ static int menu_row(ui *u, int count)
 {
     const float *m = u->memory->menu;
     if (!u->click || !ui_inside(u, m[0], m[1], m[2], m[3])) return -1;
-    int row = (int)((u->y - m[1]) / 19);
+    int row = (int)((u->y - m[1]) * (float)count / m[3]);
     return row < count ? row : -1;
 }
 
@@ -447,7 +455,7 @@ static void open_menu(ui *u, const char *name, float right, float y, float w,
         float room = 14 + wfTextWidth(&wfBakedFont, 13, names.name(names.of, i));
         if (room > w) w = room;
     }
-    float h = 19.0f * (float)count;
+    float h = fminf(ui_row_high(u) * (float)count, u->height);
     m->open = m->open == id_of(name) ? 0 : id_of(name);
     m->menu[0] = right - w;
     m->menu[1] = y + h > u->height ? y - UI_LINE - h : y;
@@ -483,11 +491,11 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
         row = *now + u->pick;
         *now = row < 0 ? 0 : row < count ? row : count - 1;
     }
+    if (open && below_menu(u)) u->over = true;          /* nothing below it is pressed */
     if (open && (row = menu_row(u, count)) >= 0) {
         *now = row;
         m->open = 0;
         u->click = false;
-        u->over = true;
     }
     bool pressed = ui_area(u, name, left, y, wide, UI_LINE);
     if (pressed && u->enter) *now = (*now + 1) % count;
@@ -504,9 +512,17 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 }
 
 /* a line to type into */
+const char *ui_edited(const ui_memory *m)
+{
+    for (int32_t i = 0; m->edits && i < m->place_count; i++)
+        if (id_of(m->places[i].name) == m->edits) return m->places[i].name;
+    return NULL;
+}
+
 bool ui_takes(ui_memory *m, int32_t key)
 {
     size_t length = strlen(m->query);
+    if (key >= GAME_KEY_SAVE) return false;
     if (m->edits) return takes_digit(m, key);
     if (m->open && (key == GAME_KEY_UP || key == GAME_KEY_DOWN || key == GAME_KEY_ENTER))
         return true;
@@ -617,15 +633,15 @@ static void draw_menu(ui *u)
     int count = u->menu_size(u->menu_of);
     ui_box(u, m[0], m[1], m[2], m[3], WF_INK_LINE, WF_INK_PAPER);
     for (int i = 0; i < count; i++) {
-        float y = m[1] + 19.0f * (float)i;
+        float each = m[3] / (float)count, y = m[1] + each * (float)i;
         const char *name = u->menu_name(u->menu_of, i);
-        if (i == u->menu_now || ui_inside(u, m[0], y, m[2], 19))
-            ui_box(u, m[0], y, m[2], 19, WF_INK_NONE,
+        if (i == u->menu_now || ui_inside(u, m[0], y, m[2], each))
+            ui_box(u, m[0], y, m[2], each, WF_INK_NONE,
                    i == u->menu_now ? WF_INK_ACCENT : WF_INK_FAINT);
         char words[GAME_NAME_SIZE];
-        ui_text(u, m[0] + 6, y + 13.5f, 13, WF_INK_TEXT, -1,
+        ui_text(u, m[0] + 6, y + each / 2 + 4, 13, WF_INK_TEXT, -1,
                 name ? ui_words(name, words) : "?");
-        if (name) keep_place(u, name, m[0] + m[2] / 2, y + 9.5f);
+        if (name) keep_place(u, name, m[0] + m[2] / 2, y + each / 2);
     }
 }
 
@@ -663,6 +679,7 @@ void ui_finish(ui *u, double seconds)
         return;
     }
     if (m->open && u->menu_size) draw_menu(u);
+    if (m->quiet) u->tip = NULL;
     if (u->tip) m->rested += seconds;
     else m->rests = 0, m->rested = 0;
     if (u->tip && u->tip[0] && !m->active) draw_tip(u);

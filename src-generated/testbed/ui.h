@@ -24,6 +24,8 @@ typedef struct ui_memory {
     int32_t focus, count;       /* who has the keys, from 1; how many there were */
     uint32_t rests;             /* over whom the mouse rests, and for how long, s */
     double rested;
+    float mouse_x, mouse_y;     /* pixels */
+    int32_t quiet;              /* a key came since it moved: no tips */
     int32_t typing, all;        /* letters go to the query; to the place of all of it */
     uint32_t edits;             /* which number is being typed; 0: none */
     int32_t edited;             /* ... and that it is ready: 1 by Enter, 2 by a click */
@@ -85,6 +87,7 @@ bool ui_button(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on);
 float ui_row_high(const ui *u);         /* units: more for a finger */
+float ui_bar_high(const ui *u);         /* from one row of buttons to the next */
 
 /* What a number may be: ends (may be huge), its usual size; whole: an integer. */
 typedef struct ui_range { double least, most, usual; bool whole; } ui_range;
@@ -105,6 +108,7 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 /* The line to type into, and whether a key belongs to it. */
 void ui_query(ui *u, const char *name, float x, float y, float w);
 bool ui_takes(ui_memory *m, int32_t key);
+const char *ui_edited(const ui_memory *m);      /* the number that is typed, or NULL */
 /* How well a query's letters fit a word of a name, eq:interface-fit; -1: not at all. */
 float ui_fit(const char *query, const char *name);
 /* 3: each word of the query is a word of the text, capitals or not; 2: or one begins so; 1:
