@@ -372,65 +372,6 @@ void game_state_line(ui *u, const game *g, float x)
     ui_fitted(u, x, s->height - 13, ink, room, last);
 }
 
-void game_key_sheet(ui *u, game *g, float x)
-{
-    game_state *s = g->state;
-    static const char *const sheet[][2] = {
-        { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
-        { "[ and ]", "previous, next scene" },
-#ifdef __wasm__
-        { "\\", "hide or show the list" }, { "Tab", "leave the testbed" },
-#else
-        { "Tab, \\", "hide or show the list" },
-#endif
-        { "H", "look at the whole scene" }, { "+ and -", "zoom" },
-        { "arrows", "move the view; or drive (W A S D)" },
-        { "Q, E, wheel", "turn what is held" }, { "T", "change its shape" },
-        { "1 to 0", "show contacts, normals, ..." }, { "D", "dark or light" },
-        { "S", "the settings of the world" }, { "/", "find a scene" },
-        { "G B Y I", "hand, place, draw, pin" },
-        { "J L X V", "connect, lasso, delete, probe" },
-        { "F, K", "record, replay" }, { "Ctrl-S -O", "save the world, load it (W, A)" },
-        { "U, Z", "write and read JSON" }, { "C", "copy the scene as C" },
-        { "! #", "picture of the window; drawing" },
-        { "% &", "film; film as single pictures" },
-        { "M", "arrows and Enter are the mouse" },
-        { "N, Delete", "choose a body; remove it" },
-        { "Ctrl-A, Esc", "choose all bodies, none" },
-        { "Ctrl-C -V -D", "copy, put down, double" },
-        { ", and .", "back and forth in time" }, { "Ctrl-Z, -Y", "undo, redo" },
-            { "< and >", "slower, faster" },
-        { "PgDn, PgUp", "to the next, last widget" }, { "Enter", "press it" },
-        { "?", "this sheet" },
-    };
-    int rows = (int)(sizeof sheet / sizeof *sheet);
-    float wide = 316, top = s->height < 560 ? 6 : 96, line = 20;
-    float room = s->height - top - 18 - (top > 50 ? FOOT : 0);     /* above the state */
-    float least = s->width < 2 * wide ? 13 : 17;            /* of a line, for one column */
-    int columns = room < least * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
-    if (columns == 2 && x + 2 * wide > s->width)
-        x = s->width > 2 * wide ? s->width - 2 * wide : 4;
-    bool scrolls = columns == 2 && 2 * wide > s->width - 8;
-    if (scrolls) columns = 1, each = rows, wide = fminf(wide, s->width - 8), line = 17;
-    else if (line * (float)each > room) line = room / (float)each;
-    float h = line * (float)each + 14, seen = fminf(h, room + 14);
-    ui_box(u, x, top, wide * (float)columns, seen, WF_INK_FAINT, WF_INK_PAPER);
-    bool inside = ui_inside(u, x, top, wide * (float)columns, seen);
-    if (inside) u->over = true;
-    if (!scrolls) s->keys_scroll = 0;
-    else if (inside && !u->draw)
-        s->keys_scroll -= g->input->wheel * 3 * line + game_finger_way(u, g);
-    s->keys_scroll = fmaxf(0, fminf(s->keys_scroll, h - seen));
-    if (scrolls) bar_thumb(u, x + wide - 5, top, seen, h, s->keys_scroll);
-    for (int i = 0; i < rows; i++) {
-        float left = x + wide * (float)(i / each), y = top + 18 + line * (float)(i % each);
-        y -= s->keys_scroll;
-        if (scrolls && (y < top + 13 || y > top + seen - 3)) continue;
-        ui_text(u, left + 12, y, 13, WF_INK_TEXT, -1, sheet[i][0]);
-        ui_fitted(u, left + 96, y, WF_INK_TEXT, wide - 104, sheet[i][1]);
-    }
-}
-
 void game_choose_tool(game *g, int tool)
 {
     tool_memory *m = &g->state->tools;
@@ -502,4 +443,63 @@ void game_press_again(ui *u, game *g)
               s->again_at[1] / u->scale - 12, w, is_on(g, row));
     if (u->click) game_press_button(g, row);
     u->over = true;
+}
+
+void game_key_sheet(ui *u, game *g, float x)
+{
+    game_state *s = g->state;
+    static const char *const sheet[][2] = {
+        { "P, space", "pause and run" }, { "O", "one step" }, { "R", "reset the scene" },
+        { "[ and ]", "previous, next scene" },
+#ifdef __wasm__
+        { "\\", "hide or show the list" }, { "Tab", "leave the testbed" },
+#else
+        { "Tab, \\", "hide or show the list" },
+#endif
+        { "H", "look at the whole scene" }, { "+ and -", "zoom" },
+        { "arrows", "move the view; or drive (W A S D)" },
+        { "Q, E, wheel", "turn what is held" }, { "T", "change its shape" },
+        { "1 to 0", "show contacts, normals, ..." }, { "D", "dark or light" },
+        { "S", "the settings of the world" }, { "/", "find a scene" },
+        { "G B Y I", "hand, place, draw, pin" },
+        { "J L X V", "connect, lasso, delete, probe" },
+        { "F, K", "record, replay" }, { "Ctrl-S -O", "save the world, load it (W, A)" },
+        { "U, Z", "write and read JSON" }, { "C", "copy the scene as C" },
+        { "! #", "picture of the window; drawing" },
+        { "% &", "film; film as single pictures" },
+        { "M", "arrows and Enter are the mouse" },
+        { "N, Delete", "choose a body; remove it" },
+        { "Ctrl-A, Esc", "choose all bodies, none" },
+        { "Ctrl-C -V -D", "copy, put down, double" },
+        { ", and .", "back and forth in time" }, { "Ctrl-Z, -Y", "undo, redo" },
+            { "< and >", "slower, faster" },
+        { "PgDn, PgUp", "to the next, last widget" }, { "Enter", "press it" },
+        { "?", "this sheet" },
+    };
+    int rows = (int)(sizeof sheet / sizeof *sheet);
+    float wide = 316, top = s->height < 560 ? 6 : 96, line = 20;
+    float room = s->height - top - 18 - (top > 50 ? FOOT : 0);     /* above the state */
+    float least = s->width < 2 * wide ? 13 : 17;            /* of a line, for one column */
+    int columns = room < least * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
+    if (columns == 2 && x + 2 * wide > s->width)
+        x = s->width > 2 * wide ? s->width - 2 * wide : 4;
+    bool scrolls = columns == 2 && 2 * wide > s->width - 8;
+    if (scrolls) columns = 1, each = rows, wide = fminf(wide, s->width - 8), line = 17;
+    else if (line * (float)each > room) line = room / (float)each;
+    float h = line * (float)each + 14, seen = fminf(h, room + 14);
+    ui_box(u, x, top, wide * (float)columns, seen, WF_INK_FAINT, WF_INK_PAPER);
+    bool inside = ui_inside(u, x, top, wide * (float)columns, seen);
+    if (inside) u->over = true;
+    if (!scrolls) s->keys_scroll = 0;
+    else if (inside && !u->draw)
+        s->keys_scroll -= g->input->wheel * 3 * line + game_finger_way(u, g);
+    s->keys_scroll = fmaxf(0, fminf(s->keys_scroll, h - seen));
+    if (scrolls) bar_thumb(u, x + wide - 5, top, seen, h, s->keys_scroll);
+    for (int i = 0; i < rows; i++) {
+        float left = x + wide * (float)(i / each), y = top + 18 + line * (float)(i % each);
+        y -= s->keys_scroll;
+        if (scrolls && (y < top + 13 || y > top + seen - 3)) continue;
+        ui_text(u, left + 12, y, 13, WF_INK_TEXT, -1, sheet[i][0]);
+        ui_fitted(u, left + 96, y, WF_INK_TEXT, wide - 104, sheet[i][1]);
+    }
 }

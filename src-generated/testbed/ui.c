@@ -248,7 +248,7 @@ bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
     const char *icon = icon_of(name);
     ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            on ? WF_INK_ACCENT : WF_INK_PAPER);
-    float more = u->finger ? 4 : 0;             /* half the way to the next row */
+    float more = (ui_bar_high(u) - 24) / 2 * (float)u->finger;     /* to the next row */
     bool alone = icon && w <= UI_ICON;
     draw_icon(u, icon, x + (alone ? w / 2 - 6 : 3), y + 6);
     if (alone) return ui_area(u, name, x, y - more, w, 24 + 2 * more);
@@ -276,7 +276,7 @@ float ui_row_high(const ui *u)          /* a low picture has no room for more */
 {
     return !u->finger ? 19 : u->height < 420 ? 30 : 34;
 }
-float ui_bar_high(const ui *u) { return u->finger ? 32 : 30; }
+float ui_bar_high(const ui *u) { return u->height < 600 ? 30 : u->finger ? 32 : 30; }
 
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
