@@ -412,8 +412,9 @@ TEST(undo_takes_restart_and_again_back)
     assert_int_equal(foul(&p), FOUL_CHANGE);
     play_end(&p);
     open_challenge(&p, "beam");                                         /* and so does a setting */
-    assert_true(game_set(&p.memory, "gravity.y", -1));
-    play_run(&p, "steps 0\nframe\n");
+    play_run(&p, "steps 0\nkey s\nframe\nframe\n");
+    play_type(&p, "gravity.y", "key -\nkey 1\nkey enter");
+    play_run(&p, "steps 0\nkey s\nframe\nframe\n");
     play_click(&p, "Restart");
     play_click(&p, "Undo");
     steps(&p, 1);
