@@ -296,11 +296,21 @@ static int joints(play *p)
 }
 static int bodies(const play *p) { return (int)play_fact(p, "bodies", 0); }
 
+/* The row of a joint of this kind among those of the chosen body: "joint 0: distance (spring)". */
+static bool row_of(const play *p, int joint, const char *kind, char name[80])
+{
+    char label[80];
+    snprintf(label, sizeof label, "\nwidget joint %d: %s", joint, kind);
+    const char *at = strstr(p->text, label), *end = at ? strstr(at, " pixel") : NULL;
+    if (end) snprintf(name, 80, "%.*s", (int)(end - at - 8), at + 8);
+    return end != NULL;
+}
+
 /* The numbers of a joint of the chosen body, from its kind on. */
 static void line_of(play *p, const char *kind, int joint, char out[400])
 {
-    char name[60];
-    snprintf(name, sizeof name, "joint %d: %s", joint, kind);
+    char name[80];
+    if (!row_of(p, joint, kind, name)) fail_msg("joint %d, %s, is in no row\n%s", joint, kind, p->text);
     play_click(p, name);
     const char *at = strstr(p->text, "\njoint ");
     if (!at) fail_msg("joint %d of a copy is not there: %s\n%s", joint, kind, p->text);
@@ -337,9 +347,8 @@ TEST(joints_are_copied_with_their_bodies)
         play_run(&p, "steps 0\nkey delete\nframe\n");            /* the copy has bodies of its own: it stays */
         assert_int_equal(joints(&p), 1);
         for (int k = 0; k < 60 && !has(&p, "joint 1: weld"); k++) {
-            char name[48];
-            snprintf(name, sizeof name, "joint 1: %s", kind);
-            if (has(&p, name)) break;
+            char name[80];
+            if (row_of(&p, 1, kind, name)) break;
             play_run(&p, "steps 0\nkey n\nframe\nframe\n");
         }
         line_of(&p, kind, 1, two);
