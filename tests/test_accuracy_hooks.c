@@ -251,3 +251,22 @@ TEST(only_looking_is_allowed_in_a_step)
         assert_ok(wfDestroyWorld(&twin));
     }
 }
+
+/* These refuse before they open the world: the last fault is theirs, and not the one before. */
+static void told(const wfWorld *w, wfResult want, wfResult got, const char *text)
+{
+    assert_result(want, got);
+    assert_string_equal(wfLastFault(w)->text, text);
+}
+TEST(settings_that_are_refused_are_told)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w = world_with(&def);
+    wfAccuracy chosen = { .method = 0, .frame = WF_R(0.01) };
+    told(&w, WF_ERROR_RANGE, wfUseSettings(&w, &chosen), "wfUseSettings: chosen: take what wfChooseSettings or wfSetTolerance gave");
+    told(&w, WF_ERROR_NULL, wfStepFrame(&w, NULL), "wfStepFrame: chosen: take what wfChooseSettings or wfSetTolerance gave");
+    told(&w, WF_ERROR_RANGE, wfSetTolerance(&w, WF_R(0.01), 0, &chosen), "wfSetTolerance: tolerance: it must be above 0");
+    told(&w, WF_ERROR_RANGE, wfSetTolerance(&w, -1, WF_R(0.1), &chosen), "wfSetTolerance: frame: it must be above 0");
+    told(&w, WF_ERROR_NULL, wfSetTolerance(&w, 1, WF_R(0.1), NULL), "wfSetTolerance: out: a pointer is NULL: pass the address of a structure");
+    wfDestroyWorld(&w);
+}

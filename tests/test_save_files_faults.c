@@ -235,7 +235,6 @@ TEST(calls_that_refuse_by_themselves)
     wfWorldDef def = wfDefaultWorldDef();
     wfWorld w = world_with(&def);
     wfBodyId b = add(&w, ball_def(0, 0, 1));
-    wfAccuracy chosen = { .method = 0, .frame = WF_R(0.01) };
     _Alignas(WF_POOL_ALIGN) uint8_t bytes[256];
     wfJournal full = { .bytes = NULL };
     wfReplay replay = { .left = 0 };
@@ -243,11 +242,6 @@ TEST(calls_that_refuse_by_themselves)
     wfInput input = { .kind = -1 };
     void *before = copy_of(&w);
     assert_result(WF_ERROR_RANGE, wfSetBodyMass(&w, b, -1));
-    expect(&w, WF_ERROR_RANGE, wfUseSettings(&w, &chosen), "wfUseSettings: chosen: take what wfChooseSettings or wfSetTolerance gave");
-    expect(&w, WF_ERROR_NULL, wfStepFrame(&w, NULL), "wfStepFrame: chosen: take what wfChooseSettings or wfSetTolerance gave");
-    expect(&w, WF_ERROR_RANGE, wfSetTolerance(&w, WF_R(0.01), 0, &chosen), "wfSetTolerance: tolerance: it must be above 0");
-    expect(&w, WF_ERROR_RANGE, wfSetTolerance(&w, -1, WF_R(0.1), &chosen), "wfSetTolerance: frame: it must be above 0");
-    expect(&w, WF_ERROR_NULL, wfSetTolerance(&w, 1, WF_R(0.1), NULL), "wfSetTolerance: out: a pointer is NULL: pass the address of a structure");
     expect(&w, WF_ERROR_UNKNOWN, wfGiveInput(&w, NULL, &input, NULL), "wfGiveInput: input->kind: it is one of WF_INPUT_...");
     expect(&w, WF_ERROR_NULL, wfGiveInput(&w, NULL, NULL, NULL), "wfGiveInput: input: a pointer is NULL: pass the address of a structure");
     expect(&w, WF_ERROR_NULL, wfStepNoted(&w, NULL, NULL), "wfStepNoted: journal: a pointer is NULL: pass the address of a structure");
@@ -391,10 +385,6 @@ TEST(rules_of_two_fields)
     expect(&w, WF_ERROR_RANGE, wfAddShapesToBody(&w, a, three, 3, NULL), "wfAddShapesToBody: defs[2].friction is -0.3, must be >= 0");
     three[2] = wfDefaultShapeDef();
     expect(&w, WF_ERROR_RANGE, wfAddShapesToBody(&w, a, three, 3, NULL), "wfAddShapesToBody: defs[2].shape: make one: wfMakeBox, wfMakeCircle and others");
-    wfVec2 one[1] = { o };
-    wfBodyId ground = add(&w, floor_def());
-    expect(&w, WF_ERROR_TOO_FEW, wfAddChainToBody(&w, ground, one, 1, false, &three[0], NULL), "wfAddChainToBody: n: a chain has 2 points or more");
-    expect(&w, WF_ERROR_TOO_FEW, wfAddChainToBody(&w, ground, one, 1, true, &three[0], NULL), "wfAddChainToBody: n: a loop has 3 points or more");
     /* a step that cannot be finished names the body */
     assert_ok(wfSetBodyVelocity(&w, b, wfV2(WF_HUGE, 0), 0));
     assert_ok(wfSetBodyTransform(&w, b, wfV2(WF_HUGE, 0), 0));
