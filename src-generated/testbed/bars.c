@@ -406,7 +406,7 @@ void game_tool_bar(ui *u, game *g, bar *b)
         b->x = b->right - n * (wide + 6) + 6;
         b->right = b->x - 6;
         y += g->state->height < LOW ? high : fmaxf(36, high);
-        if (g->state->challenge && g->state->height < LOW) b->y += high;    /* its card */
+        if (g->scene->alias && g->state->height < LOW) b->y += high;    /* a task's card */
     }
     for (int i = 0; i < TOOL_CHOICES; i++) {
         const tool_names *c = &toolChoices[i];
