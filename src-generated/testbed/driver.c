@@ -29,7 +29,8 @@ void game_take_over(game *g)
     int32_t grasped = s->grasped;
     if (s->driven || s->tape == TAPE_RECORDING || s->tape == TAPE_REPLAYING) return;
     game_find_held(g);
-    if (!s->driven || game_was_changed(s) || wfWorldSteps(&g->world) == 0) return;
+    if (!s->driven || s->held.index || game_was_changed(s)) return;
+    if (wfWorldSteps(&g->world) == 0) return;
     game_open_scene(g, s->row);
     s->driven = 1, s->grasped = grasped;
     game_tell(g, false, "from the beginning: you drive");
