@@ -62,7 +62,7 @@ await press(told, 'p');
 await told.waitForTimeout(200);
 const hash = await fact(told, 'hash');
 await press(told, 'w');
-await until(told, 'kept: world.save');
+await until(told, 'kept in this browser: world.save');
 for (const begun of ['#scene=seesaw', '#scene=pyramid']) {
   const later = await open(begun);
   await shows(later, begun.slice(7));
@@ -105,7 +105,7 @@ await shows(bare, 'my own');
 await nine(bare, 'dropped, and then another');
 await press(bare, 'w');
 await bare.evaluate(() => document.getElementById('testbed').game.run());
-await until(bare, 'kept: world.save');
+await until(bare, 'kept in this browser: world.save');
 await bare.evaluate(() => document.getElementById('testbed').game.open('pyramid'));
 await shows(bare, 'pyramid');
 await press(bare, 'p');
