@@ -183,7 +183,7 @@ TEST(the_flippers_obey_their_buttons)
         char script[200], name[16];
         begin(&p, "pinball");
         snprintf(name, sizeof name, "body %d x", 3 + way);
-        play_run(&p, "finger 1\nsteps 1\nwait 40\n");
+        play_run(&p, "finger 1\nsteps 1\nkey f\nwait 40\n");         /* on a tape */
         const char *at = play_line(&p, "controls");
         double x, y, w, h, gap;
         assert_int_equal(sscanf(at, "controls 11 %*u pixel %lf %lf %lf %lf %lf", &x, &y, &w, &h, &gap), 5);
@@ -192,6 +192,8 @@ TEST(the_flippers_obey_their_buttons)
         if (!(play_fact(&p, name, 1) > 1.3)) fail_msg("held, the middle of flipper %d is at %g m", way, play_fact(&p, name, 1));
         play_run(&p, "finger 1\nsteps 1\nup left\nframe\nwait 60\n");
         if (!(play_fact(&p, name, 1) < 1.05)) fail_msg("let go, the middle of flipper %d is at %g m", way, play_fact(&p, name, 1));
+        play_run(&p, "key f\nsteps 0\nframe\nkey k\nsteps 1\nwait 140\n");
+        if (!strstr(p.text, "the same to the last bit")) fail_msg("replayed otherwise: %.90s", play_line(&p, "said"));
         play_end(&p);
     }
 }

@@ -58,7 +58,7 @@ static void restart(game *g)
     s->undo_at = s->undo_count = 0;
     game_open_scene(g, s->row);
     s->undo_at = s->undo_count = moments;
-    if (moments) game_tell(g, false, "Undo brings back what you have changed");
+    if (moments) game_tell(g, false, UNDO_HINT), s->told = 6;
 }
 
 static void try_again(game *g)

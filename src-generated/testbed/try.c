@@ -83,7 +83,7 @@ void game_begin_try(game *g)
     s->trial = (wfTrial){ 0 };
 }
 
-/* The last moment of undo, and one that undo comes back to. */
+/* What is known of the try goes into a moment of undo; and comes back with it. */
 void game_keep_try(const game *g, undo_moment *m)
 {
     const game_state *s = g->state;
