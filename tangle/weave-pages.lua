@@ -322,12 +322,12 @@ function Pages.write(w)
 
   ------------------------------------------------------------- pages of chapters and files that are no more must not stay
   if html_dir then
-    local keep = { ["formulas.html"] = true, ["index.html"] = true }
+    local keep = { ["formulas.html"] = true, ["index.html"] = true, ["testbed.html"] = true, ["gallery.html"] = true }
     for _, l in ipairs(lists) do keep[l[1]] = true end
     for _, e in ipairs(db.entries) do if e.page then keep[e.page] = true end end
     for _, f in ipairs(files) do keep[f.page] = true end
     local p = io.popen("cd '" .. html_dir .. "' && ls *.html 2>/dev/null")
-    for name in p:lines() do if not keep[name] then os.remove(html_dir .. "/" .. name) end end
+    for name in p:lines() do if not keep[name] and not name:match("^slides%-%d+%.html$") then os.remove(html_dir .. "/" .. name) end end
     p:close()
   end
 
