@@ -282,7 +282,7 @@
       if (looks !== (looks = `${finger}${bare}`)) { const f = finger; act(x => x.web_looks(f ? 1 : 0, bare ? 1 : 0)); }
       const w = Math.max(64, Math.round(box.width * scale)), h = Math.max(64, Math.round(box.height * scale));
       const night = document.documentElement.dataset.theme === 'dark';
-      if (night !== dark) { if (dark !== null || night) act(x => x.web_key(100)); dark = night; }
+      if (night !== dark) { if (dark !== null || night) act(x => x.web_key(146)); dark = night; }
       if (log && log.length > MOST_TOLD) more();
       const at = act(x => x.web_frame(w, h, scale, seconds, steps), x => x.web_unseen(w, h, scale, seconds, steps));
       if (!at) return;

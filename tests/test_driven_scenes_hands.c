@@ -204,6 +204,9 @@ TEST(letters_drive_as_the_arrows_do)
     assert_int_equal(bytes_of(folder, "world.save"), 0);            /* and do nothing else */
     assert_int_equal(atoi(fact("panel")), 0);
     assert_int_equal(atoi(fact("dark")), 0);
+    press(GAME_KEY_DARK);                                           /* but the page still has its way */
+    assert_int_equal(atoi(fact("dark")), 1);
+    press(GAME_KEY_DARK);
     press(GAME_KEY_SAVE);
     assert_true(bytes_of(folder, "world.save") > 0);
     layer_close(&l);

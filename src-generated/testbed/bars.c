@@ -272,8 +272,9 @@ void game_buttons(ui *u, game *g, bar *b)
 const char *game_hint(const game *g, bool low)
 {
     const game_state *s = g->state;
-    if (low != (s->height < LOW || game_has_panes(s))) return NULL;
-    if (game_drives_any(g)) return game_tell_driver(g);
+    bool drives = game_drives_any(g), narrow = s->width < LIST_ROOM;
+    if (low != (s->height < LOW || game_has_panes(s) || (drives && narrow))) return NULL;
+    if (drives) return game_tell_driver(g);
     return s->hint && !s->tools.tool ? "Grab something: drag it, and throw it." : NULL;
 }
 

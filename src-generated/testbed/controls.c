@@ -396,6 +396,7 @@ void game_obey_key(game *g, int32_t key)
     game_state *s = g->state;
     int32_t small = key >= 'A' && key <= 'Z' ? key - 'A' + 'a' : key;
     if (is_for_driving(g, small)) return;
+    if (key == GAME_KEY_DARK) small = 'd';
     game_button_key(g, small);
     switch (key) {
     case '\\': s->list = !s->list; break;

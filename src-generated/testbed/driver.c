@@ -18,8 +18,8 @@ const char *game_tell_driver(const game *g)
             return "It has fallen out: R puts it back.";
     }
     if (s->driven || !g->scene->demo || s->tape == TAPE_REPLAYING) return NULL;
-    return s->finger ? "A demonstration. Press a button: it begins anew, and you drive."
-                     : "A demonstration. Press a key: it begins anew, and you drive.";
+    return s->finger ? "A demo. Press a button to drive."
+                     : "A demo. Press a key: it begins anew, and you drive.";
 }
 
 /* The first control that somebody holds ends the demo: the scene begins anew. */

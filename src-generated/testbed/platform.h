@@ -56,10 +56,10 @@ enum {
     GAME_KEY_COPY, GAME_KEY_PASTE, GAME_KEY_DOUBLE,                 /* Ctrl-C, -V, -D */
     GAME_KEY_SAVE, GAME_KEY_OPEN                                    /* Ctrl-S, Ctrl-O */
 };
-/* What a command line may press by itself: sec:platform-pictures. */
+/* What a command line, the program's begin and end, and a page's colours press. */
 enum { GAME_KEY_PICTURE = '!', GAME_KEY_DRAWING = '#', GAME_KEY_FILM = '%',
        GAME_KEY_FRAMES = '&',
-       GAME_KEY_RETURN = GAME_KEY_OPEN + 1, GAME_KEY_LEAVE }; /* the program begins, ends */
+       GAME_KEY_RETURN = GAME_KEY_OPEN + 1, GAME_KEY_LEAVE, GAME_KEY_DARK };
 
 enum { GAME_MAX_KEYS = 8 };
 /* The bit of a key that can be held: 1, 2, 4, 8 for left, right, up, down, and for A, D, W,

@@ -22,7 +22,7 @@ static const named_code key_names[] = {
     { "page-down", GAME_KEY_PAGE_DOWN }, { "redo", GAME_KEY_REDO }, { "all", GAME_KEY_ALL },
     { "copy", GAME_KEY_COPY }, { "paste", GAME_KEY_PASTE }, { "double", GAME_KEY_DOUBLE },
     { "save", GAME_KEY_SAVE }, { "open", GAME_KEY_OPEN },
-    { "return", GAME_KEY_RETURN }, { "leave", GAME_KEY_LEAVE },
+    { "return", GAME_KEY_RETURN }, { "leave", GAME_KEY_LEAVE }, { "dark", GAME_KEY_DARK },
     { NULL, 0 }
 };
 

@@ -185,4 +185,9 @@ for (const [name, width, height] of [['upright', 390, 844], ['lying', 844, 390]]
   }
   await phone.close();
 }
+// -- a page that is dark when it opens a driven scene, where D drives
+const night = await (await browser.newContext({ colorScheme: 'dark' })).newPage();
+await night.goto('file://' + join(html, 'testbed.html#scene=pool'));
+await night.waitForFunction(() => { const c = document.getElementById('testbed'); return c.game && /^steps [1-9]/m.test(c.game.describe()); }, null, { timeout: 20000 });
+check(/^dark 1$/m.test(await night.evaluate(() => document.getElementById('testbed').game.describe())), 'pool: a light scene in a dark page');
 await end();
