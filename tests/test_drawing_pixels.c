@@ -4,6 +4,7 @@
 #include "weft/draw.h"
 #include "testbed/raster.h"
 #include "testbed/svg.h"
+#include "testbed/workers.h"
 
 static const wfPixelMap SAME = { 1, 0, 0 };  /* y is flipped: a point (x, -y) is the pixel (x, y) */
 static _Alignas(8) unsigned char list_memory[1 << 18];
@@ -821,6 +822,26 @@ TEST(wide_pictures_are_drawn_in_strips)
 }
 
 /* Random drawing, most of it outside: the sanitizer and the guards watch. */
+static void draw_anything(wfDraw *d, wfRandom *r, int count, wfReal far)
+{
+    for (int i = 0; i < count; i++) {
+        float p[12];
+        for (int k = 0; k < 12; k++) p[k] = (float)wfRandomReal(r, -far, far);
+        float wide = (float)wfRandomReal(r, 0, 12), radius = (float)wfRandomReal(r, 0, far);
+        int role = (int)(wfRandomU32(r) % WF_INK_COUNT);
+        switch (wfRandomU32(r) % 8) {
+        case 0: wfDrawPoint(d, p[0], p[1], wide, role); break;
+        case 1: wfDrawLine(d, p[0], p[1], p[2], p[3], wide, role); break;
+        case 2: wfDrawArrow(d, p[0], p[1], p[2], p[3], wide, role); break;
+        case 3: wfDrawDashed(d, p[0], p[1], p[2], p[3], wide, role); break;
+        case 4: wfDrawCircle(d, p[0], p[1], radius, wide, role, role); break;
+        case 5: wfDrawPolygon(d, p, 6, wide, role, role); break;
+        case 6: wfDrawPolyline(d, p, 6, wide, role); break;
+        default: wfDrawText(d, p[0], p[1], wide * 3, role, 0, "Weft \xe2\x8a\xa5"); break;
+        }
+    }
+}
+
 TEST(nothing_is_drawn_outside)
 {
     wfRandom r = random_stream(2805);
@@ -828,22 +849,7 @@ TEST(nothing_is_drawn_outside)
         wfDraw d = new_list();
         frame_buffer f = new_frame();
         wfReal far = trial % 3 == 0 ? (wfReal)1e9 : trial % 3 == 1 ? 1000 : 100;
-        for (int i = 0; i < 12; i++) {
-            float p[12];
-            for (int k = 0; k < 12; k++) p[k] = (float)wfRandomReal(&r, -far, far);
-            float wide = (float)wfRandomReal(&r, 0, 12), radius = (float)wfRandomReal(&r, 0, far);
-            int role = (int)(wfRandomU32(&r) % WF_INK_COUNT);
-            switch (wfRandomU32(&r) % 8) {
-            case 0: wfDrawPoint(&d, p[0], p[1], wide, role); break;
-            case 1: wfDrawLine(&d, p[0], p[1], p[2], p[3], wide, role); break;
-            case 2: wfDrawArrow(&d, p[0], p[1], p[2], p[3], wide, role); break;
-            case 3: wfDrawDashed(&d, p[0], p[1], p[2], p[3], wide, role); break;
-            case 4: wfDrawCircle(&d, p[0], p[1], radius, wide, role, role); break;
-            case 5: wfDrawPolygon(&d, p, 6, wide, role, role); break;
-            case 6: wfDrawPolyline(&d, p, 6, wide, role); break;
-            default: wfDrawText(&d, p[0], p[1], wide * 3, role, 0, "Weft \xe2\x8a\xa5"); break;
-            }
-        }
+        draw_anything(&d, &r, 12, far);
         assert_int_equal(d.refused + d.overflow, 0);
         if (trial % 5 == 0) wfDrawView(&d, -WF_DRAW_LIMIT, -WF_DRAW_LIMIT, WF_DRAW_LIMIT, WF_DRAW_LIMIT);
         if (trial % 5 == 1) wfDrawView(&d, 0, 0, WF_DRAW_SMALLEST, WF_DRAW_SMALLEST);
@@ -855,6 +861,36 @@ TEST(nothing_is_drawn_outside)
         assert_int_equal(wfWriteSvg(&d, 300, out), 0);
         fclose(out);
     }
+}
+
+static void backwards(void *user, int32_t parts, wfPartFn *work, void *context)
+{
+    *(int32_t *)user = parts;
+    while (parts > 0) work(context, --parts);
+}
+
+TEST(threads_share_the_rows_of_a_picture)
+{
+    static uint32_t alone[sizeof pixels / sizeof *pixels];
+    static const float units[] = { 1, 2.5f };
+    wfRandom r = random_stream(2911);
+    work_pool *pool = work_pool_open(3);
+    int32_t parts = 0;
+    for (int trial = 0; trial < 60; trial++) {
+        wfDraw d = new_list();
+        draw_anything(&d, &r, 250, trial % 2 ? 100 : 1000);
+        for (int way = 0; way < 3; way++) {
+            frame_buffer f = new_frame();
+            f.scale = units[trial % 4 > 1];
+            f.height = H - trial % 7;           /* strips of unequal heights */
+            wfWorkers by = way == 0 ? (wfWorkers){ .run = NULL } : way == 1 ? (wfWorkers){ backwards, &parts } : work_pool_lend(pool);
+            wfRenderShared(&d, &wfBakedFont, &wfDarkPalette, &f, by);
+            if (way == 0) memcpy(alone, pixels, sizeof pixels);
+            assert_memory_equal(alone, pixels, sizeof pixels);
+        }
+    }
+    assert_true(parts > 1);
+    work_pool_close(pool);
 }
 
 TEST(bad_pictures_are_left_alone)

@@ -53,9 +53,10 @@ static void frame_play(FrameBench *b, int key, int steps, bool drawn)
 static bool frame_open(FrameBench *b, int n)
 {
     wfWorld world;
-    b->memory = (game_memory){ calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE,
-                               calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE, NULL,
-                               &b->file, NULL, NULL, 0, 0, 0, NULL };
+    b->memory = (game_memory){ .permanent = calloc(1, GAME_PERMANENT_SIZE),
+                               .permanent_size = GAME_PERMANENT_SIZE,
+                               .transient = calloc(1, GAME_TRANSIENT_SIZE),
+                               .transient_size = GAME_TRANSIENT_SIZE, .file = &b->file };
     b->file = (game_file){ .bytes = malloc(GAME_FILE_BYTES), .capacity = GAME_FILE_BYTES };
     if (!b->file.bytes || frame_heap(n, &world) != WF_OK) return false;
     frame_play(b, 0, 0, false);                     /* it asks for its settings */

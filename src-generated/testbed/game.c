@@ -106,7 +106,7 @@ static void draw_interface(game *g, ui *u, frame_buffer *buffer, const wfPalette
     interface(u, g, g->input->seconds);
     game_draw_mark(u, g->state);
     scale_bar(u, g->state);
-    wfRenderList(&d, &wfBakedFont, palette, buffer);
+    wfRenderShared(&d, &wfBakedFont, palette, buffer, g->workers);
     wfPoolRewind(&g->scratch, mark);
 }
 

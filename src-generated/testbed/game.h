@@ -172,6 +172,7 @@ typedef struct game {
     wfJournal journal;
     uint8_t *tape;                      /* notes, a snapshot, the journal's bytes */
     double (*now)(void);                /* or NULL */
+    wfWorkers workers;                  /* threads for steps and pixels */
     game_file *file;                    /* or NULL */
     wfTransform *pose;                  /* of each body before the last step */
     double stage[STAGES];               /* s that each stage of the last step took ... */

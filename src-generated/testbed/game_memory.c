@@ -87,6 +87,7 @@ void game_begin_call(game *g, const game_memory *memory, const game_input *input
     g->undo = g->others - POSES_BYTES - UNDO_BYTES;
     if (g->state->opened && wfOpenWorld(&g->memory, &g->world) != WF_OK)
         g->state->opened = 0;
+    g->world.workers = g->workers = memory->workers;
     g->text = memory->text, g->text_name = memory->text_name;
     wfSceneOfText(g->text, &g->state->info, &g->guest);
     if (g->state->row >= 0 && g->state->row < game_scene_count(g))

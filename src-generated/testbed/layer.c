@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "testbed/layer.h"
+#include "testbed/workers.h"
 #include "weft/save.h"
 
 /* read the options of a platform layer */
@@ -151,6 +152,7 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     if (options->input && !(l->text = read_text(options->input)))
         return complain("can't read the input script", options->input);
     if (l->text) input_script_open(&l->script, l->text);
+    l->memory.workers = work_pool_lend(work_pool_open(options->workers));
     bool files = options->folder || options->svg || options->film || options->frames ||
                  is_save(options->argument);
     if (files && !open_folder(l)) return complain("out of memory", NULL);
@@ -165,6 +167,7 @@ void layer_close(layer *l)
 {
     if (l->record) fclose(l->record);
     game_code_close(&l->code);
+    work_pool_close(l->memory.workers.user);
     free(l->text), free(l->scene), free(l->file.bytes);
     free(l->buffer.pixels), free(l->memory.permanent), free(l->memory.transient);
     memset(l, 0, sizeof *l);
@@ -471,6 +474,7 @@ static int print_help(void)
          "  --input FILE        play a script of input     --save-input FILE  write one\n"
          "  --steps N           stop after so many steps   --log FILE        what goes on\n"
          "  --png FILE, --svg FILE, --film FILE, --frames DIR                pictures\n"
+         "  --workers N         so many threads share steps and pixels (all cores, at most 4)\n"
          "  --game LIB.so       take the game from a library, again whenever it is new");
     return 0;
 }
@@ -501,6 +505,7 @@ int layer_main(int argc, char **argv, bool (*run)(layer *l))
         complain(error, options.command ? options.command : options.argument);
         return 2;
     }
+    if (!options.workers) options.workers = work_pool_cores();
     if (!options.folder) options.folder = layer_user_folder(folder, sizeof folder);
     bool good = layer_open(&l, &options, 64, 64);
     l.memory.now = layer_now;

@@ -84,7 +84,7 @@ void game_draw_world(game *g, frame_buffer *buffer, const wfPalette *palette)
     wfDrawInit(&d, memory, memory ? bytes : 0);
     camera_window(&g->state->camera, (float)buffer->width, (float)buffer->height, view);
     game_list_world(g, &d, view);
-    wfRenderList(&d, &wfBakedFont, palette, buffer);
+    wfRenderShared(&d, &wfBakedFont, palette, buffer, g->workers);
     wfPoolRewind(&g->scratch, mark);
 }
 
@@ -187,7 +187,7 @@ static void draw_pane(game *g, const wfWorld *world, const char *name, frame_buf
     float unit = (view[3] - view[1]) / (float)pane->height * pane->scale;
     wfDrawText(&d, view[0] + 8 * unit, view[3] - 20 * unit, 13, WF_INK_ACCENT, -1, name);
     wfClearFrame(pane, palette->area[WF_INK_PAPER]);
-    wfRenderList(&d, &wfBakedFont, palette, pane);
+    wfRenderShared(&d, &wfBakedFont, palette, pane, g->workers);
     wfPoolRewind(&g->scratch, mark);
 }
 

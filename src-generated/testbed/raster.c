@@ -348,6 +348,9 @@ static void blend_row(frame_buffer *target, const wfCoverRow *row, const ink_lig
     blend_cells(pixel, row, high, row->high, ink, full);
 }
 
+/* Rows top to bottom - 1 of a picture: what one thread paints. */
+typedef struct strip { frame_buffer *of; int32_t top, bottom; } strip;
+
 /* What one row after another is asked to cover. */
 typedef struct stencil {
     enum { FILL, STROKE, DISC, RING } kind;
@@ -385,8 +388,8 @@ static void cover(wfCoverRow *row, const stencil *s, const side *ready, int side
     if (s->kind == FILL) add_up(row);
 }
 
-/* The pixels that a stencil may touch, cut to the picture: x0, y0, x1, y1. */
-static void stencil_box(const stencil *s, const frame_buffer *target, int32_t box[4])
+/* The pixels that a stencil may touch, cut to the strip: x0, y0, x1, y1. */
+static void stencil_box(const stencil *s, const strip *target, int32_t box[4])
 {
     float low[2] = { 1e30f, 1e30f }, high[2] = { -1e30f, -1e30f };
     for (int i = 0; i < s->count; i++) {
@@ -398,12 +401,12 @@ static void stencil_box(const stencil *s, const frame_buffer *target, int32_t bo
     }
     float reach = s->radius + s->half + 1;
     for (int k = 0; k < 2; k++) {
-        int32_t size = k == 0 ? target->width : target->height;
-        box[k] = floor_within(low[k] - reach, 0, size);
-        box[k + 2] = floor_within(high[k] + reach + 1, 0, size);
+        int32_t first = k == 0 ? 0 : target->top;
+        int32_t end = k == 0 ? target->of->width : target->bottom;
+        box[k] = floor_within(low[k] - reach, first, end);
+        box[k + 2] = floor_within(high[k] + reach + 1, first, end);
     }
 }
-
 
 /* Rows above rows[0] and below rows[1] are all alike; none but in an upright rectangle. */
 static void rows_alike(const stencil *s, const side *p, int sides, float rows[2])
@@ -416,7 +419,7 @@ static void rows_alike(const stencil *s, const side *p, int sides, float rows[2]
     rows[1] = (a < b ? b : a) - s->half - 2;
 }
 
-static void paint(frame_buffer *target, const stencil *s, wfInk ink)
+static void paint(const strip *target, const stencil *s, wfInk ink)
 {
     wfCoverRow row;
     side ready[MOST_SIDES];
@@ -438,12 +441,12 @@ static void paint(frame_buffer *target, const stencil *s, wfInk ink)
                 wfCoverClear(&row);
                 cover(&row, s, ready, sides);
             }
-            blend_row(target, &row, &light, full);
+            blend_row(target->of, &row, &light, full);
         }
     }
 }
 
-static void paint_arrow(frame_buffer *target, const stencil *shaft, wfInk ink)
+static void paint_arrow(const strip *target, const stencil *shaft, wfInk ink)
 {
     const float *xy = shaft->xy;
     wfPixelMap m = shaft->map, same = { 1, 0, 0 };
@@ -459,13 +462,13 @@ static void paint_arrow(frame_buffer *target, const stencil *shaft, wfInk ink)
 
 enum { MOST_DASHES = 2000 };
 
-static void paint_dashes(frame_buffer *target, const stencil *s, wfInk ink, float unit)
+static void paint_dashes(const strip *target, const stencil *s, wfInk ink, float unit)
 {
     float x0 = wfPixelX(s->map, s->xy[0]), y0 = wfPixelY(s->map, s->xy[1]);
     float dx = wfPixelX(s->map, s->xy[2]) - x0, dy = wfPixelY(s->map, s->xy[3]) - y0;
     double t0 = 0, t1 = 1;
-    if (!clip_range((double)x0, (double)dx, -16, target->width + 16, &t0, &t1)) return;
-    if (!clip_range((double)y0, (double)dy, -16, target->height + 16, &t0, &t1)) return;
+    if (!clip_range((double)x0, (double)dx, -16, target->of->width + 16, &t0, &t1)) return;
+    if (!clip_range((double)y0, (double)dy, -16, target->of->height + 16, &t0, &t1)) return;
     float length = (float)wfLength(wfV2(dx, dy)), dash = 6 * unit, period = 11 * unit;
     float first = period * (float)wfFloor((wfReal)((float)t0 * length / period));
     for (int i = 0; i < MOST_DASHES; i++) {
@@ -499,19 +502,20 @@ static float cover_at(const wfFont *font, const wfGlyph *g, float u, float v)
     return near + b * (far - near);
 }
 
-static void paint_glyph(frame_buffer *target, const wfFont *font, const wfGlyph *g,
+static void paint_glyph(const strip *target, const wfFont *font, const wfGlyph *g,
                         float left, float top, float scale, wfInk ink)
 {
+    const frame_buffer *of = target->of;
     float half = 0.5f * scale;                      /* beyond its edge it fades */
-    int32_t x0 = floor_within(left - half, 0, target->width);
-    int32_t y0 = floor_within(top - half, 0, target->height);
-    int32_t x1 = floor_within(left + scale * (float)g->width + half, -1, target->width - 1);
-    int32_t y1 = floor_within(top + scale * (float)g->height + half, -1,
-                              target->height - 1);
+    int32_t x0 = floor_within(left - half, 0, of->width);
+    int32_t y0 = floor_within(top - half, target->top, target->bottom);
+    int32_t x1 = floor_within(left + scale * (float)g->width + half, -1, of->width - 1);
+    int32_t y1 = floor_within(top + scale * (float)g->height + half, target->top - 1,
+                              target->bottom - 1);
     for (int32_t y = y0; y <= y1; y++) {
         float v = ((float)y + 0.5f - top) / scale - 0.5f;
-        uint8_t *pixel = (uint8_t *)(target->pixels
-                         + (size_t)y * (size_t)target->pitch + (size_t)x0);
+        uint8_t *pixel = (uint8_t *)(of->pixels
+                         + (size_t)y * (size_t)of->pitch + (size_t)x0);
         for (int32_t x = x0; x <= x1; x++, pixel += 4) {
             float cover = scale == 1
                 ? cover_of(font, g, x - (int32_t)left, y - (int32_t)top)
@@ -521,7 +525,7 @@ static void paint_glyph(frame_buffer *target, const wfFont *font, const wfGlyph 
     }
 }
 
-static void paint_text(frame_buffer *target, const wfFont *font, float x, float y, float px,
+static void paint_text(const strip *target, const wfFont *font, float x, float y, float px,
                        int anchor, const char *text, wfInk ink)
 {
     if (font == NULL || font->sizeCount < 1 || font->glyphCount < 1) return;
@@ -537,10 +541,10 @@ static void paint_text(frame_buffer *target, const wfFont *font, float x, float 
 }
 
 /* draw a list into the picture */
-static void draw_command(frame_buffer *target, const wfDraw *list, const wfDrawCommand *c,
-                         const wfFont *font, const wfPalette *p, float unit)
+static void draw_command(const strip *target, wfPixelMap map, const wfDraw *list,
+                         const wfDrawCommand *c, const wfFont *font, const wfPalette *p,
+                         float unit)
 {
-    wfPixelMap map = wfFrameMap(list->view, target);
     stencil s = { .map = map, .xy = wfDrawPoints(list, c), .count = c->count,
                   .half = 0.5f * unit * c->size, .kind = STROKE };
     float x = wfPixelX(map, s.xy[0]), y = wfPixelY(map, s.xy[1]);
@@ -607,11 +611,40 @@ wfPixelMap wfFrameMap(const float view[4], const frame_buffer *target)
     return wfMapView(view, (float)target->width, (float)target->height);
 }
 
+/* A list on its way into a picture, in so many strips. */
+typedef struct drawing {
+    const wfDraw *list;
+    const wfFont *font;
+    const wfPalette *palette;
+    frame_buffer *of;
+    int32_t strips;
+} drawing;
+
+static void draw_strip(void *context, int32_t i)
+{
+    const drawing *d = context;
+    float scale = d->of->scale, unit = scale >= 0.25f && scale <= 16 ? scale : 1;
+    int32_t rows = d->of->height;
+    strip target = { d->of, rows * i / d->strips, rows * (i + 1) / d->strips };
+    wfPixelMap map = wfFrameMap(d->list->view, d->of);
+    for (int k = 0; k < d->list->count; k++)
+        draw_command(&target, map, d->list, wfDrawAt(d->list, k), d->font, d->palette,
+                     unit);
+}
+
+enum { STRIPS = 4, WORTH_SHARING = 200 };       /* commands */
+
+void wfRenderShared(const wfDraw *list, const wfFont *font, const wfPalette *palette,
+                    frame_buffer *target, wfWorkers by)
+{
+    if (list == NULL || palette == NULL || !usable(target)) return;
+    drawing d = { list, font, palette, target, STRIPS };
+    if (by.run && list->count >= WORTH_SHARING) by.run(by.user, STRIPS, draw_strip, &d);
+    else d.strips = 1, draw_strip(&d, 0);
+}
+
 void wfRenderList(const wfDraw *list, const wfFont *font, const wfPalette *palette,
                   frame_buffer *target)
 {
-    if (list == NULL || palette == NULL || !usable(target)) return;
-    float unit = target->scale >= 0.25f && target->scale <= 16 ? target->scale : 1;
-    for (int i = 0; i < list->count; i++)
-        draw_command(target, list, wfDrawAt(list, i), font, palette, unit);
+    wfRenderShared(list, font, palette, target, (wfWorkers){ .run = NULL });
 }

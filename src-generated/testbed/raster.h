@@ -30,6 +30,9 @@ void wfClearFrame(frame_buffer *target, wfInk ink);
  * Without a font (NULL) text is left out. Nothing outside the picture is touched. */
 void wfRenderList(const wfDraw *list, const wfFont *font, const wfPalette *palette,
                   frame_buffer *target);
+/* The same picture, its rows shared by threads. */
+void wfRenderShared(const wfDraw *list, const wfFont *font, const wfPalette *palette,
+                    frame_buffer *target, wfWorkers by);
 /* Where the list's view lies in the picture: for the mouse. */
 wfPixelMap wfFrameMap(const float view[4], const frame_buffer *target);
 /* The ink laid over a pixel's bytes r, g, b, a, covering a share 0..1 of its light. */

@@ -13,7 +13,7 @@ static char text[1 << 16], news[120];
 static uint8_t file_bytes[GAME_FILE_BYTES];
 static game_file file = { .bytes = file_bytes, .capacity = sizeof file_bytes };
 static game_memory memory = { permanent, sizeof permanent, transient, sizeof transient,
-                              NULL, &file, NULL, NULL, 0, 0 };
+                              .file = &file };
 static game_input input;
 static frame_buffer seen;               /* the last picture, without its pixels */
 

@@ -8,6 +8,7 @@
 #elif defined __unix__ || defined __APPLE__
 #include <pthread.h>
 #include <sched.h>
+#include <unistd.h>
 #endif
 #include <stdlib.h>
 #include "testbed/workers.h"
@@ -31,6 +32,12 @@ static void work_signal_wait(work_signal *s, work_lock *l)
     SleepConditionVariableSRW(s, l, INFINITE, 0);
 }
 static void work_thread_yield(void) { SwitchToThread(); }
+static int64_t work_cores(void)
+{
+    SYSTEM_INFO info;
+    GetSystemInfo(&info);
+    return (int64_t)info.dwNumberOfProcessors;
+}
 static DWORD WINAPI work_begin(void *hand);
 static bool work_thread_start(work_thread *t, void *hand)
 {
@@ -61,6 +68,7 @@ static void work_lock_give(work_lock *l) { pthread_mutex_unlock(l); }
 static void work_signal_all(work_signal *s) { pthread_cond_broadcast(s); }
 static void work_signal_wait(work_signal *s, work_lock *l) { pthread_cond_wait(s, l); }
 static void work_thread_yield(void) { sched_yield(); }
+static int64_t work_cores(void) { return sysconf(_SC_NPROCESSORS_ONLN); }
 static void *work_begin(void *hand);
 static bool work_thread_start(work_thread *t, void *hand)
 {
@@ -202,6 +210,12 @@ void work_pool_close(work_pool *p)
     free(p);
 }
 
+int32_t work_pool_cores(void)
+{
+    int64_t n = work_cores();
+    return n < 1 ? 1 : n < 4 ? (int32_t)n : 4;
+}
+
 work_pool *work_pool_open(int32_t workers)
 {
     work_pool *p = NULL;
@@ -232,5 +246,6 @@ static void *work_begin(void *hand)
 #else
 work_pool *work_pool_open(int32_t workers) { return (void)workers, NULL; }
 void work_pool_close(work_pool *pool) { (void)pool; }
+int32_t work_pool_cores(void) { return 1; }
 wfWorkers work_pool_lend(work_pool *pool) { return (void)pool, (wfWorkers){ .run = NULL }; }
 #endif

@@ -9,6 +9,7 @@ typedef struct work_pool work_pool;
 /* A pool of so many workers, the caller among them; NULL: there are no threads. */
 work_pool *work_pool_open(int32_t workers);
 void work_pool_close(work_pool *pool);      /* NULL is allowed */
+int32_t work_pool_cores(void);      /* how many this machine has; at most 4, 1 if unknown */
 /* What a world's handle is given; of NULL: nobody. Steps of several worlds at once are
  * allowed: while one has the pool, the others do their parts alone. */
 wfWorkers work_pool_lend(work_pool *pool);
