@@ -30,7 +30,7 @@ typedef struct game_memory {
     size_t permanent_size;      /* bytes; GAME_PERMANENT_SIZE or more */
     void *transient;            /* of use within one call only */
     size_t transient_size;      /* bytes; GAME_TRANSIENT_SIZE or more */
-    const char *text, *text_name; /* a scene that the user brought along, its file; or NULL */
+    const char *text, *text_name; /* a scene that the user brought, its file; or NULL */
     game_file *file;            /* of sec:platform-files, or NULL: there are no files */
     double (*now)(void);        /* s, since whenever; NULL: no clock. To measure only */
     const char *news;           /* from the platform, for the line of state; or NULL */
