@@ -474,7 +474,7 @@ static int print_help(void)
          "  --input FILE        play a script of input     --save-input FILE  write one\n"
          "  --steps N           stop after so many steps   --log FILE        what goes on\n"
          "  --png FILE, --svg FILE, --film FILE, --frames DIR                pictures\n"
-         "  --workers N         so many threads share steps and pixels (all cores, at most 4)\n"
+         "  --workers N         so many threads (as many as cores, up to 4; 1: no others)\n"
          "  --game LIB.so       take the game from a library, again whenever it is new");
     return 0;
 }
