@@ -31,6 +31,7 @@ static bool fit(sdl_app *app)
     app->texture = SDL_CreateTexture(app->renderer, SDL_PIXELFORMAT_RGBA32,
                                      SDL_TEXTUREACCESS_STREAMING, width, height);
     if (!app->texture || !layer_resize(app->layer, width, height)) return false;
+    SDL_SetTextureBlendMode(app->texture, SDL_BLENDMODE_NONE);  /* every pixel is opaque */
     b->scale = app->density * app->layer->options->scale;
     return true;
 }
