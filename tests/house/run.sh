@@ -24,4 +24,5 @@ done
 # grep -q stops reading at the first match; a program that still writes into the pipe fails of that, now and then
 told=$(grep -rnE '(^|[^|])\| *grep -[a-zA-Z]*q' tests tangle --include='*.sh' --include=install --include=run) && { echo "$told"; echo "house: grep -q behind a pipe -- write grep >/dev/null"; bad=1; }
 tests/house/readme.sh || bad=1
+tests/house/recorded.sh || bad=1
 exit $bad
