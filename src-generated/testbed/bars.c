@@ -16,11 +16,17 @@ void bar_thumb(ui *u, float x, float top, float room, float length, float scroll
            WF_INK_BODY);
 }
 
-/* How high the rows of the list may be together, units. */
-static float list_room(const game_state *s)
+/* How high the boxes below the list are; 0: there is no room for them, units. */
+static float show_high(const ui *u)
 {
-    bool alone = s->width < LIST_ROOM && s->height < LOW;
-    return s->height - LIST_TOP - (alone ? 8 : LIST_BOTTOM);
+    bool alone = (u->finger || u->width < LIST_ROOM) && u->height < LOW;
+    return alone ? 0 : LIST_BOTTOM + 5 * (ui_row_high(u) - ROW);
+}
+
+/* How high the rows of the list may be together, units. */
+static float list_room(const ui *u)
+{
+    return u->height - LIST_TOP - fmaxf(show_high(u), 8);
 }
 
 static float list_length(const ui *u, const game *g)
@@ -43,7 +49,7 @@ static void reveal_row(game_state *s, float y, float each, float room)
 static int list_scenes(ui *u, game *g)
 {
     game_state *s = g->state;
-    float room = list_room(s), y = LIST_TOP - s->scroll, each = ui_row_high(u);
+    float room = list_room(u), y = LIST_TOP - s->scroll, each = ui_row_high(u);
     int chosen = -1;
     for (int i = 0; i < game_scene_count(g); i++) {
         const wfScene *scene = game_scene_at(g, i);
@@ -79,7 +85,7 @@ static int list_found(ui *u, game *g)
 {
     const game_state *s = g->state;
     bool told[512] = { false };
-    float y = LIST_TOP, room = list_room(s), each = ui_row_high(u);
+    float y = LIST_TOP, room = list_room(u), each = ui_row_high(u);
     int chosen = -1, count = game_scene_count(g) < 512 ? game_scene_count(g) : 512;
     for (int rank = 0; y + each <= LIST_TOP + room; rank++, y += each) {
         float most = -1;
@@ -131,19 +137,19 @@ void game_list_panel(ui *u, game *g)
         s->ui.typing = 0;
         s->ui.query[0] = 0;
     }
-    float y = s->height - LIST_BOTTOM + 14, room = list_room(s);
+    float show = show_high(u), y = s->height - show + 14, room = list_room(u);
     if (!s->ui.query[0])
         bar_thumb(u, LIST_WIDTH - 5, LIST_TOP, room, list_length(u, g), s->scroll);
-    if (list_room(s) <= s->height - LIST_TOP - LIST_BOTTOM) {
+    if (show > 0) {
         ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
         for (int i = 0; i < wfOverlayCount; i++) {
             const wfOverlay *o = &wfOverlayTable[i];
             if (!o->key) continue;                          /* of the panel "See" */
             float x = i % 2 ? LIST_WIDTH / 2 + 4 : 12;
-            float line = y + 13 + (float)(i / 2 * ROW);
+            float line = y + 13 + (float)(i / 2) * ui_row_high(u);
             if (ui_check(u, o->name, x, line, 84, s->show & o->bit))
                 game_press_overlay(g, o->bit);
-            ui_tip(u, o->name, o->text, x, line, 84, ROW);
+            ui_tip(u, o->name, o->text, x, line, 84, ui_row_high(u));
         }
     }
     if (ui_inside(u, 0, 0, LIST_WIDTH, s->height)) {
@@ -401,7 +407,7 @@ void game_tool_bar(ui *u, game *g, bar *b)
         if (hit) game_choose_tool(g, i);
     }
     bool below = tight || b->x + n * (wide + 6) - 6 > b->right;
-    float y = b->y + 1, high = ui_bar_high(u);
+    float high = ui_bar_high(u), y = b->y + (u->finger ? 12 - high / 2 : 1);
     if (below && n > 0) {
         wide = fminf(wide, (room + 6) / n - 6);
         b->x = b->right - n * (wide + 6) + 6;
