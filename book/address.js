@@ -23,9 +23,13 @@
   };
   // scenes as text: the module that reads those of the list makes a saved world of one, and the text of a world
   const say = text => game.act(x => { game.put(x, x.web_name(), text.replace(/[^ -~]/g, '?').slice(0, 118)); x.web_news(); });
+  let settled = -1e9;                                  // when a world was kept; the next is a file if it comes soon
   const settle = bytes => {
+    const soon = performance.now() - settled < 10000;
+    settled = soon ? -1e9 : performance.now();
     localStorage.setItem('weft/world.save', btoa(binary(bytes)));
-    say(`kept in this browser: world.save, ${bytes.length} bytes; A loads it, Read JSON one in a file`);
+    if (soon) game.handOut(bytes, 'world.save');
+    say(soon ? 'handed out: world.save; Read JSON reads it, and so does a drop' : `kept in this browser: world.save, ${bytes.length} bytes; A loads it, W again makes a file of it`);
   };
   const write = async bytes => {
     const { x } = await game.json(), head = x.json_info_size(), put = (at, part) => new Uint8Array(x.memory.buffer, at, part.length).set(part);

@@ -229,6 +229,16 @@ TEST(a_ball_in_a_pocket_stays_there)
         }
     }
     must(in[3], "the ball at the pocket did not fall in");
+    static uint64_t room[1 << 13];
+    char said[20];
+    int fallen = 0, told = 0;
+    for (int i = 2; i <= 16; i++) fallen += in[i];
+    wfDraw d;
+    wfDrawInit(&d, room, sizeof room);
+    r.scene->draw(&r.world, &d, &(wfSceneInput){ 0 });
+    snprintf(said, sizeof said, "%d of 15", fallen);
+    for (int i = 0; i < d.count; i++) told += wfDrawAt(&d, i)->kind == WF_DRAW_TEXT && strcmp(wfDrawString(&d, wfDrawAt(&d, i)), said) == 0;
+    must(told == 1, "nothing tells that %s are in pockets", said);
     must(shots > 0 && shots <= 6, "energy came %d times, and the cue struck less often", shots);
     end(&r);
 }

@@ -255,7 +255,7 @@ TEST(a_save_takes_the_place_of_none)
 }
 
 /* A window that is closed after a body was carried, or after nothing. */
-static char shown[200], asleep[100];
+static char shown[200], asleep[100], scene_of[100];
 static bool carries, pauses;
 static bool window(layer *one)
 {
@@ -267,10 +267,11 @@ static bool window(layer *one)
     if (!layer_resize(one, 1100, 700)) return false;
     for (int i = 0; i < 6; i++) layer_frame(one, &now);
     one->code.describe(&one->memory, text, sizeof text);
+    snprintf(scene_of, sizeof scene_of, "%.*s", (int)strcspn(text, "\n"), text);
     at = strstr(text, "\nsaid ");
     snprintf(shown, sizeof shown, "%.*s", (int)strcspn(at + 6, "\n"), at + 6);
     if (carries) {
-        now.keys[0] = 'p', now.keys[1] = '[', now.key_count = 2;    /* another scene than the first */
+        now.keys[0] = 'p', now.keys[1] = '[', now.key_count = one->memory.text ? 1 : 2;    /* another scene than the first */
         layer_frame(one, &now);
         now.key_count = 0;
         one->code.describe(&one->memory, text, sizeof text);
@@ -325,6 +326,49 @@ TEST(a_world_that_was_changed_is_there_at_the_next_start)
     assert_null(strstr(shown, "last"));
     remove_folder(folder);
 }
+
+#ifndef WF_NO_JSON
+/* A scene that came from a file comes back as that, with its name, its text and its world, though it is called as one of the table; one
+   whose text is spoilt says which scene it was. */
+TEST(a_world_of_a_file_is_there_at_the_next_start_in_its_own_scene)
+{
+    static const char body[] = "{ \"weft\": 1, \"name\": \"%s\", \"text\": \"Mine.\", \"bodies\": [ { \"type\": \"dynamic\", \"position\": [0, 2], "
+                               "\"shapes\": [ { \"kind\": \"circle\", \"radius\": 1 } ] } ] }";
+    for (int i = 0; i < 2; i++) {
+        char folder[] = "/tmp/weft-mine-XXXXXX", name[] = "weft-testbed", option[] = "--folder", path[200], text[400], before[100];
+        char *bare[] = { name, option, folder, NULL }, *file[] = { name, path, option, folder, NULL };
+        assert_non_null(mkdtemp(folder));
+        snprintf(path, sizeof path, "%s/mine.json", folder);
+        snprintf(text, sizeof text, body, i ? "my own" : "pyramid");
+        write_bytes(path, text, strlen(text));
+        carries = pauses = true;
+        assert_int_equal(layer_main(4, file, window), 0);
+        carries = false;
+        snprintf(before, sizeof before, "%s", asleep);
+        remove(path);
+        snprintf(path, sizeof path, "%s/last.save", folder);
+        for (int k = 0; k < 2; k++) {
+            assert_int_equal(layer_main(3, bare, window), 0);
+            assert_string_equal(asleep, before);
+            assert_string_equal(scene_of, i ? "scene my own" : "scene pyramid");
+            assert_non_null(strstr(shown, "your last world is back; R starts"));
+        }
+        if (i) {
+            size_t size = bytes_of(folder, "last.save");
+            char *bytes = malloc(size);
+            FILE *f = fopen(path, "rb");
+            assert_true(f && bytes && fread(bytes, 1, size, f) == size);
+            fclose(f);
+            bytes[size - 3] = '?';
+            write_bytes(path, bytes, size);
+            free(bytes);
+            assert_int_equal(layer_main(3, bare, window), 0);
+            assert_non_null(strstr(shown, "its own, my own, is not here"));
+        }
+        remove_folder(folder);
+    }
+}
+#endif
 
 TEST(what_is_done_on_a_tape_without_a_step_is_replayed)
 {

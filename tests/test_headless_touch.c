@@ -376,3 +376,37 @@ TEST(tips_cover_no_widget)
         play_end(&p);
     }
 }
+
+/* Boxes, numbers and choices of the list and of Settings are 40 pixels of the page high for a finger: two of a column are as far apart, and
+   each is hit by its edges. */
+TEST(rows_are_high_enough_for_a_finger)
+{
+    static const struct { const char *tab, *upper, *lower; } of[] = {
+        { "World", "gravity.x", "gravity.y" }, { "Needs", "with rotation", "with damping" }, { "See", "contacts", "pairs" },
+        { "See", "normals", "bounds" }, { "Compare", "World 2", "is 2" }, { "Compare", "curve: energy", "curve: spin" },
+        { "Body", "mass", "density" } };
+    play p;
+    begin(&p, "stack-of-boxes");
+    press(&p, "List");
+    assert_true(widget(&p, "tree", 1) - widget(&p, "pairs", 1) >= 80);
+    assert_true(widget(&p, "pairs", 1) - widget(&p, "contacts", 1) >= 80);
+    for (int way = -1; way <= 1; way += 2) {
+        double on = play_fact(&p, "show", 0);
+        finger(&p, widget(&p, "contacts", 0), widget(&p, "contacts", 1) + 38 * way, 1, 1);
+        assert_true(play_fact(&p, "show", 0) != on);
+    }
+    finger(&p, widget(&p, "find", 0), widget(&p, "find", 1) + 38, 1, 1);
+    assert_true(game_wants_letters(&p.memory));
+    play_end(&p);
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        p = play_open(780, 2600, 2);                            /* all of a panel is seen */
+        play_run(&p, "finger 1\nsteps 0\nscene stack-of-boxes\nframe\nframe\n");
+        finger(&p, play_fact(&p, "body 6 x", 2), play_fact(&p, "body 6 x", 3), 1, 1);
+        press(&p, "Settings");
+        press(&p, of[i].tab);
+        if (strcmp(of[i].tab, "Compare") == 0) press(&p, "Two");
+        if (widget(&p, of[i].lower, 1) - widget(&p, of[i].upper, 1) < 80)
+            fail_msg("%s: %g and %g", of[i].tab, widget(&p, of[i].upper, 1), widget(&p, of[i].lower, 1));
+        play_end(&p);
+    }
+}

@@ -304,3 +304,26 @@ TEST(an_ended_scene_says_reset)
     assert_false(is_written(&p, "nothing is in view"));
     play_end(&p);
 }
+
+/* Home takes in what has flown off if nothing else is there, or at a second press; it leaves a scene as it is where all are in it. */
+TEST(home_finds_what_has_left)
+{
+    static const struct { const char *scene; int steps, presses; } of[] = { { "wind", 900, 1 }, { "wind", 200, 2 }, { "stack-of-boxes", 60, 2 } };
+    for (int i = 0; i < 3; i++) {
+        play p = play_open(1100, 700, 1);
+        char script[200];
+        snprintf(script, sizeof script, "steps 1\nscene %s\nwait %d\nsteps 0\nkey p\nframe\nkey +\nframe\nkey h\nframe\nframe\n", of[i].scene, of[i].steps);
+        play_run(&p, script);
+        double height = play_fact(&p, "view", 2), middle = play_fact(&p, "view", 0), bodies = 0;
+        if (of[i].presses > 1) play_run(&p, "steps 0\nkey h\nframe\nframe\n");
+        if (i == 1) assert_true(play_fact(&p, "view", 0) > middle + 2);
+        if (i == 2) assert_near(play_fact(&p, "view", 2), height, 1e-6);
+        for (const char *at = strstr(p.text, "\nbody "); at; at = strstr(at + 1, "\nbody "), bodies++) {
+            double x, y;
+            assert_int_equal(sscanf(strstr(at, "pixel"), "pixel %lf %lf", &x, &y), 2);
+            if (!(x > 208 && x < 1100 && y > 60 && y < 700)) fail_msg("%s: a body is at %g, %g", of[i].scene, x, y);
+        }
+        assert_true(bodies > 3);
+        play_end(&p);
+    }
+}

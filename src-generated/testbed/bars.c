@@ -16,11 +16,17 @@ void bar_thumb(ui *u, float x, float top, float room, float length, float scroll
            WF_INK_BODY);
 }
 
-/* How high the rows of the list may be together, units. */
-static float list_room(const game_state *s)
+/* How high the boxes below the list are; 0: there is no room for them, units. */
+static float show_high(const ui *u)
 {
-    bool alone = s->width < LIST_ROOM && s->height < LOW;
-    return s->height - LIST_TOP - (alone ? 8 : LIST_BOTTOM);
+    bool alone = (u->finger || u->width < LIST_ROOM) && u->height < LOW;
+    return alone ? 0 : LIST_BOTTOM + 5 * (ui_row_high(u) - ROW);
+}
+
+/* How high the rows of the list may be together, units. */
+static float list_room(const ui *u)
+{
+    return u->height - LIST_TOP - fmaxf(show_high(u), 8);
 }
 
 static float list_length(const ui *u, const game *g)
@@ -43,7 +49,7 @@ static void reveal_row(game_state *s, float y, float each, float room)
 static int list_scenes(ui *u, game *g)
 {
     game_state *s = g->state;
-    float room = list_room(s), y = LIST_TOP - s->scroll, each = ui_row_high(u);
+    float room = list_room(u), y = LIST_TOP - s->scroll, each = ui_row_high(u);
     int chosen = -1;
     for (int i = 0; i < game_scene_count(g); i++) {
         const wfScene *scene = game_scene_at(g, i);
@@ -79,7 +85,7 @@ static int list_found(ui *u, game *g)
 {
     const game_state *s = g->state;
     bool told[512] = { false };
-    float y = LIST_TOP, room = list_room(s), each = ui_row_high(u);
+    float y = LIST_TOP, room = list_room(u), each = ui_row_high(u);
     int chosen = -1, count = game_scene_count(g) < 512 ? game_scene_count(g) : 512;
     for (int rank = 0; y + each <= LIST_TOP + room; rank++, y += each) {
         float most = -1;
@@ -131,19 +137,19 @@ void game_list_panel(ui *u, game *g)
         s->ui.typing = 0;
         s->ui.query[0] = 0;
     }
-    float y = s->height - LIST_BOTTOM + 14, room = list_room(s);
+    float show = show_high(u), y = s->height - show + 14, room = list_room(u);
     if (!s->ui.query[0])
         bar_thumb(u, LIST_WIDTH - 5, LIST_TOP, room, list_length(u, g), s->scroll);
-    if (list_room(s) <= s->height - LIST_TOP - LIST_BOTTOM) {
+    if (show > 0) {
         ui_text(u, 10, y + 6, 13, WF_INK_ACCENT, -1, "Show");
         for (int i = 0; i < wfOverlayCount; i++) {
             const wfOverlay *o = &wfOverlayTable[i];
             if (!o->key) continue;                          /* of the panel "See" */
             float x = i % 2 ? LIST_WIDTH / 2 + 4 : 12;
-            float line = y + 13 + (float)(i / 2 * ROW);
+            float line = y + 13 + (float)(i / 2) * ui_row_high(u);
             if (ui_check(u, o->name, x, line, 84, s->show & o->bit))
                 game_press_overlay(g, o->bit);
-            ui_tip(u, o->name, o->text, x, line, 84, ROW);
+            ui_tip(u, o->name, o->text, x, line, 84, ui_row_high(u));
         }
     }
     if (ui_inside(u, 0, 0, LIST_WIDTH, s->height)) {
@@ -167,6 +173,34 @@ static void press_reset(game *g)
 }
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
 static void press_next(game *g) { game_open_scene(g, g->state->row + 1); }
+/* To the scene's view; if it is there already, or nothing moves in it, to all that moves,
+ * or as near to it as makes sense. */
+void game_press_home(game *g)
+{
+    enum { MOST = 30 };
+    camera *c = &g->state->camera, was = *c;
+    wfBodyView v = wfWorldBodies(&g->world);
+    float edge[4], box[4] = { 1e30f, 1e30f, -1e30f, -1e30f }, at[2] = { 0 }, least = 1e30f;
+    bool seen = false, away = false;
+    game_look_home(g);
+    game_find_seen(c, edge);
+    for (int32_t i = 0; i < v.count; i++) {
+        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
+        float p[2] = { WF_XY(v.state[i].p) }, far = fabsf(p[0] - c->x) + fabsf(p[1] - c->y);
+        bool in = p[0] > edge[0] && p[0] < edge[2] && p[1] > edge[1] && p[1] < edge[3];
+        seen |= in, away |= !in;
+        if (far < least) least = far, at[0] = p[0], at[1] = p[1];
+        for (int k = 0; k < 2; k++)
+            box[k] = fminf(box[k], p[k]), box[k + 2] = fmaxf(box[k + 2], p[k]);
+    }
+    bool again = was.x == c->x && was.y == c->y && was.height == c->height;
+    if (!away || (seen && !again) || wfWorldSteps(&g->world) == 0) return;
+    float size = fmaxf((box[2] - box[0]) / (edge[2] - edge[0]),
+                       (box[3] - box[1]) / (edge[3] - edge[1]));
+    bool all = 1.2f * size < MOST;
+    c->height *= fminf(fmaxf(1.2f * size, 1), MOST);
+    c->x = all ? (box[0] + box[2]) / 2 : at[0], c->y = all ? (box[1] + box[3]) / 2 : at[1];
+}
 static void press_size(game *g)
 {
     int32_t *at = &g->state->letters;
@@ -185,7 +219,7 @@ static const button_row button_table[] = {
     { "Redo", NULL, GAME_KEY_REDO, 0, game_redo, "what was taken back, as you left it" },
     { "Previous", NULL, '[', 0, press_previous, "the scene before this one" },
     { "Next", NULL, ']', 0, press_next, "the next scene" },
-    { "Home", NULL, 'h', 0, game_look_home, "look at the whole scene" },
+    { "Home", NULL, 'h', 0, game_press_home, "the whole scene; again: all that moves" },
     { "Size", NULL, ')', 0, press_size, "larger letters and buttons, and small again" },
     { "Dark", "Light", 'd', FLAG(dark), NULL, "dark on light, or light on dark" },
     { "Keys", NULL, '?', FLAG(keys), NULL, "what each key does" },
@@ -401,7 +435,7 @@ void game_tool_bar(ui *u, game *g, bar *b)
         if (hit) game_choose_tool(g, i);
     }
     bool below = tight || b->x + n * (wide + 6) - 6 > b->right;
-    float y = b->y + 1, high = ui_bar_high(u);
+    float high = ui_bar_high(u), y = b->y + (u->finger ? 12 - high / 2 : 1);
     if (below && n > 0) {
         wide = fminf(wide, (room + 6) / n - 6);
         b->x = b->right - n * (wide + 6) + 6;

@@ -30,7 +30,40 @@ bool game_has_card(game *g)
     return home;
 }
 
-enum { SAVE_HEAD = 64 };
+enum { SAVE_HEAD = 64, TEXT_AT = 56 };  /* the head; in it the bytes of the scene's text */
+
+/* Behind a world whose scene is a file: the file's name and its text. How many bytes? */
+static uint32_t put_text(const game *g, uint8_t *at, size_t room)
+{
+    const char *name = g->text_name ? g->text_name : "";
+    size_t first = strlen(name) + 1, all = g->text ? first + strlen(g->text) + 1 : 0;
+    if (g->scene != &g->guest || all > room || all > TEXT_MOST) return 0;
+    memcpy(at, name, first);
+    memcpy(at + first, g->text, all - first);
+    return (uint32_t)all;
+}
+
+void game_use_brought(game *g)
+{
+    g->text_name = g->state->brought;
+    g->text = g->text_name + strlen(g->text_name) + 1;
+}
+
+/* Such a text becomes the scene that was brought along, if there is no other. */
+static bool take_text(game *g, const char *at, size_t size)
+{
+    game_state *s = g->state;
+    wfSceneInfo info;
+    const char *end = memchr(at, 0, size);
+    if ((g->text && !s->brought_size) || size > TEXT_MOST || at[size - 1] || !end ||
+        end + 1 == at + size || wfCheckSceneText(end + 1, &info, NULL) != WF_OK)
+        return false;
+    memcpy(s->brought, at, size);
+    s->brought_size = (uint32_t)size, s->info = info;
+    game_use_brought(g);
+    wfSceneOfText(g->text, &s->info, &g->guest);
+    return true;
+}
 
 static void send_world(game *g, int32_t wanted, int32_t what, const char *name)
 {
@@ -41,6 +74,9 @@ static void send_world(game *g, int32_t wanted, int32_t what, const char *name)
     wfResult result = wfSaveToBytes(&g->world, f->bytes + SAVE_HEAD,
                                     f->capacity - SAVE_HEAD, &f->size);
     f->size += SAVE_HEAD;
+    uint32_t more = result ? 0 : put_text(g, f->bytes + f->size, f->capacity - f->size);
+    memcpy(f->bytes + TEXT_AT, &more, sizeof more);
+    f->size += more;
     if (what == FILE_LAST) f->bytes[SAVE_HEAD - 1] = g->state->paused != 0;
     if (result != WF_OK) game_tell(g, true, wfResultText(result));
     else game_wish(g, wanted, what, name);
@@ -105,10 +141,17 @@ void game_load_world(game *g)
     wfResult result = WF_ERROR_NOT_A_SAVE;
     memcpy(name, f->bytes, SAVE_HEAD);
     bool whole = f->size > SAVE_HEAD && name[0] && memchr(name, 0, SAVE_HEAD);
-    int row = whole ? saved_row(g, name) : -1;
+    uint32_t more = 0;
+    size_t size = whole ? f->size - SAVE_HEAD : 0;
+    if (whole) memcpy(&more, f->bytes + TEXT_AT, sizeof more);
+    if (more >= size) more = 0;
+    size -= more;
+    const char *text = (const char *)f->bytes + SAVE_HEAD + size;
     wfMemory spare = spare_memory(g, SPARE);
     if (whole)
-        result = wfLoadFromBytes(f->bytes + SAVE_HEAD, f->size - SAVE_HEAD, &spare, &made);
+        result = wfLoadFromBytes(f->bytes + SAVE_HEAD, size, &spare, &made);
+    bool came = more && result == WF_OK && take_text(g, text, more);
+    int row = came ? wfSceneCount() : whole ? saved_row(g, name) : -1;
     int32_t to = row < 0 ? g->state->row : row, moments = 0;
     bool last = strcmp(f->name, "last.save") == 0;          /* Undo goes to its beginning */
     if (result == WF_OK && last && to != g->state->row) game_open_scene(g, to);
@@ -119,11 +162,15 @@ void game_load_world(game *g)
     if (result == WF_OK && last) g->state->paused = f->bytes[SAVE_HEAD - 1] != 0;
     if (last) g->state->last = 1, g->state->hint = 0;
     char line[TOOL_WORDS];
-    snprintf(line, sizeof line, "%s%s", last && result ? "your last world can't be used: " :
-             last ? "your last world is back; " : result ? "" :
-             row < 0 ? "loaded, " : "loaded: ", result ? wfResultText(result) :
-             row < 0 ? "into this scene: its own is not here" :
-             last ? "R starts its scene anew" : "the world as it was");
+    if (result || row >= 0)
+        snprintf(line, sizeof line, "%s%s",
+                 last && result ? "your last world can't be used: " :
+                 last ? "your last world is back; " : result ? "" : "loaded: ",
+                 result ? wfResultText(result) :
+                 last ? "R starts its scene anew" : "the world as it was");
+    else
+        snprintf(line, sizeof line, "%s into this scene: its own, %s, is not here",
+                 last ? "your last world came" : "loaded,", name);
     game_tell(g, result != WF_OK, line);
 }
 

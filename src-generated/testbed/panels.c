@@ -139,7 +139,7 @@ static void setting_line(ui *u, game *g, const wfWorldDef *def, int i, int part,
     } else {
         hit = setting_number(u, row, part, name, x, y, w, &value, changed);
     }
-    ui_tip(u, name, row->text, x, y, w, UI_LINE);
+    ui_tip(u, name, row->text, x, y, w, ui_line_high(u));
     if (hit) change_setting(g, i, part, value);
 }
 
@@ -218,17 +218,18 @@ static float world_panel(ui *u, game *g, float x, float y, float w)
         game_open_scene(g, s->row);
     }
     y += 30;
-    if (panel_shows(g, y, ROW) && ui_check(u, "Begin again when all have left", x, y, w,
+    float row = ui_row_high(u), line = ui_line_high(u);
+    if (panel_shows(g, y, row) && ui_check(u, "Begin again when all have left", x, y, w,
                                            !s->ends))
         s->ends = !s->ends;
-    y += ROW + 2;
+    y += row + 2;
     y = told_line(u, g, x, y, w, "precision (when it is compiled)",
                   sizeof(wfReal) == 8 ? "double" : "float");
     for (int i = 0; i < wfSettingCount; i++) {
         int parts = wfSettingTable[i].kind == WF_SETTING_VEC2 ? 2 : 1;
         if (wfSettingTable[i].kind == WF_SETTING_SET) continue;     /* sec:scenes-needs */
-        for (int part = 0; part < parts; part++, y += UI_LINE)
-            if (panel_shows(g, y, UI_LINE)) setting_line(u, g, &def, i, part, y);
+        for (int part = 0; part < parts; part++, y += line)
+            if (panel_shows(g, y, line)) setting_line(u, g, &def, i, part, y);
     }
     char hash[24] = "";
     if (u->draw && panel_shows(g, y, UI_LINE))
@@ -326,14 +327,14 @@ static const char *type_name(const void *of, int row)
 static float type_line(ui *u, game *g, wfBodyId id, int type, float x, float y, float w)
 {
     wfInput in = { .kind = WF_INPUT_TYPE, .index = id.index, .generation = id.generation };
-    if (panel_shows(g, y, UI_LINE) &&
+    if (panel_shows(g, y, ui_line_high(u)) &&
         ui_choice(u, "body type", x, y, w, &type,
                   (ui_names){ type_count, type_name, NULL }, false)) {
         in.with.number = type;
         tell_change(g, wfGiveInput(&g->world, game_begin_edit(g, &in), &in, NULL),
                     "body type");
     }
-    return y + UI_LINE;
+    return y + ui_line_high(u);
 }
 
 static float joint_panel(ui *u, game *g, wfJointId id, float x, float y, float w);
@@ -361,13 +362,14 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y = type_line(u, g, id, b.type, x, y + UI_LINE, w);
     y = joint_rows(u, g, id, x, y, w);
-    for (int i = 0; i < BODY_LINES; i++, y += UI_LINE) {
+    float high = ui_line_high(u);
+    for (int i = 0; i < BODY_LINES; i++, y += high) {
         const body_line *line = &body_lines[i];
-        if (!panel_shows(g, y, UI_LINE)) continue;
+        if (!panel_shows(g, y, high)) continue;
         bool asked = g->state->sought >> line->input & 1;
         if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
             tell_change(g, change_body(g, id, line, n), line->name);
-        ui_tip(u, line->name, line->text, x, y, w, UI_LINE);
+        ui_tip(u, line->name, line->text, x, y, w, high);
     }
     return y;
 }
@@ -521,14 +523,15 @@ static float joint_panel(ui *u, game *g, wfJointId id, float x, float y, float w
              tool_joint_name(&j), broken ? ", broken" : "");
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y = joint_ends(u, g, &j, x, y + UI_LINE, w);
+    float row = ui_row_high(u), line = ui_line_high(u);
     for (int i = 0; i < 3; i++) {
         if (!joint_reads_it(&j, part[i].letter)) continue;
-        if (panel_shows(g, y, ROW) &&
+        if (panel_shows(g, y, row) &&
             ui_check(u, part[i].name, x, y, w, (j.flags & part[i].flag) != 0)) {
             turn_flag(g, id, &j, part[i].flag);
             give_joint(g, id, &j, part[i].name);
         }
-        y += ROW + 2;
+        y += row + 2;
     }
     joint_numbers(g, &j, n);
     for (int i = 0; i < JOINT_LINES; i++) {
@@ -536,14 +539,14 @@ static float joint_panel(ui *u, game *g, wfJointId id, float x, float y, float w
         bool length = l->length && (joint_is(&j, "distance") || joint_is(&j, "pulley"));
         const char *name = length ? l->length : l->name;
         if (!joint_shows(&j, i)) continue;
-        if (panel_shows(g, y, UI_LINE)) {
+        if (panel_shows(g, y, line)) {
             if (ui_number(u, name, x, y, w, &n[i], l->range, false)) {
                 put_number(g, &j, i, n);
                 give_joint(g, id, &j, name);
             }
-            ui_tip(u, name, l->text, x, y, w, UI_LINE);
+            ui_tip(u, name, l->text, x, y, w, line);
         }
-        y += UI_LINE;
+        y += line;
     }
     if (panel_shows(g, y + 4, 26) && ui_button(u, "Remove the joint", x, y + 4, w, false)) {
         tool_work t = game_tools_of(g);
@@ -629,10 +632,11 @@ static void need_line(ui *u, game *g, const wfWorldDef *def, int i, float x, flo
         s->wished = ticks & row->bit ? modules_without(ticks, row->bit)
                                      : wfCloseModules(ticks | row->bit);
     snprintf(text, sizeof text, "%.1f KB", need_bytes(def, row->bit) / 1000);
-    ui_text(u, x + w - 62, y + 13.5f, 13, WF_INK_TEXT, 1, text);
+    ui_tip(u, name, row->text, x, y, w, ui_row_high(u));
+    y += ui_row_high(u) / 2 + 4;
+    ui_text(u, x + w - 62, y, 13, WF_INK_TEXT, 1, text);
     snprintf(text, sizeof text, us < 1 ? "%.2f us" : "%.0f us", us);
-    if (s->timed && us > 0) ui_text(u, x + w, y + 13.5f, 13, WF_INK_TEXT, 1, text);
-    ui_tip(u, name, row->text, x, y, w, ROW);
+    if (s->timed && us > 0) ui_text(u, x + w, y, 13, WF_INK_TEXT, 1, text);
 }
 
 static void restart_with_modules(game *g)
@@ -657,8 +661,8 @@ static float modules_panel(ui *u, game *g, float x, float y, float w)
     y += 30;
     if (panel_shows(g, y, UI_LINE)) ui_text(u, x, y + 15, 13, WF_INK_TEXT, -1, text);
     y += UI_LINE;
-    for (int i = 0; i < wfModuleCount; i++, y += ROW + 2)
-        if (panel_shows(g, y, ROW)) need_line(u, g, &def, i, x, y, w);
+    for (int i = 0; i < wfModuleCount; i++, y += ui_row_high(u) + 2)
+        if (panel_shows(g, y, ui_row_high(u))) need_line(u, g, &def, i, x, y, w);
     return y;
 }
 
@@ -696,11 +700,12 @@ static void look_number(ui *u, game *g, const char *name, float x, float *y, flo
     double v = (double)*value;
     ui_range range = { (double)least, (double)most, 1, true };
     if (most < least) return;
-    if (panel_shows(g, *y, UI_LINE) && ui_number(u, name, x, *y, w, &v, range, false))
+    float high = ui_line_high(u);
+    if (panel_shows(g, *y, high) && ui_number(u, name, x, *y, w, &v, range, false))
         *value = (int32_t)v;
     if (*value > most) *value = most;
     if (*value < least) *value = least;
-    *y += UI_LINE;
+    *y += high;
 }
 
 static float legend(ui *u, const game *g, float x, float y)
@@ -717,23 +722,24 @@ static float see_panel(ui *u, game *g, float x, float y, float w)
 {
     game_state *s = g->state;
     wfWorldDef def;
+    float row = ui_row_high(u);
     for (int i = 0; i < wfOverlayCount; i++) {
         const wfOverlay *o = &wfOverlayTable[i];
-        float left = i % 2 ? x + w / 2 : x, line = y + (float)(i / 2 * ROW);
-        if (!panel_shows(g, line, ROW)) continue;
+        float left = i % 2 ? x + w / 2 : x, line = y + (float)(i / 2) * row;
+        if (!panel_shows(g, line, row)) continue;
         if (ui_check(u, o->name, left, line, w / 2 - 8, (s->show & o->bit) != 0))
             game_press_overlay(g, o->bit);
-        ui_tip(u, o->name, o->text, left, line, w / 2 - 8, ROW);
+        ui_tip(u, o->name, o->text, left, line, w / 2 - 8, row);
     }
-    y += (float)((wfOverlayCount + 1) / 2 * ROW) + 10;
-    if (panel_shows(g, y, ROW) && ui_check(u, "Legend on the picture", x, y, w,
+    y += (float)((wfOverlayCount + 1) / 2) * row + 10;
+    if (panel_shows(g, y, row) && ui_check(u, "Legend on the picture", x, y, w,
                                            !s->no_legend))
         s->no_legend = !s->no_legend;
-    y += ROW + 2;
+    y += row + 2;
     if (wfGetWorldDef(&g->world, &def) != WF_OK) return y;
-    if (panel_shows(g, y, ROW) && ui_check(u, "Hold on to this pair", x, y, w, s->pinned))
+    if (panel_shows(g, y, row) && ui_check(u, "Hold on to this pair", x, y, w, s->pinned))
         s->pinned = !s->pinned;
-    y += ROW + 4;
+    y += row + 4;
     look_number(u, g, "GJK step", x, &y, w, &s->look.gjk, 0,
                 wfGjkSteps(&g->world, &s->look) - 1);
     look_number(u, g, "Cut", x, &y, w, &s->look.clip, 0,
@@ -802,15 +808,16 @@ static float other_lines(ui *u, game *g, int i, float x, float y, float w)
     const wfSetting *row = &wfSettingTable[s->differs[i]];
     char name[GAME_NAME_SIZE], value[GAME_NAME_SIZE];
     int which = s->differs[i], choice = (int)s->value[i];
+    float high = ui_line_high(u);
     bool hit = false;
     snprintf(name, sizeof name, "World %d", i + 2);
     snprintf(value, sizeof value, "is %d", i + 2);
-    if (panel_shows(g, y, UI_LINE) &&
+    if (panel_shows(g, y, high) &&
         ui_choice(u, name, x, y, w, &which, (ui_names){ setting_count, setting_name, NULL },
                   false))
         choose_setting(g, i, which);
-    y += UI_LINE;
-    if (!panel_shows(g, y, UI_LINE)) return y + UI_LINE + 6;
+    y += high;
+    if (!panel_shows(g, y, high)) return y + high + 6;
     if (row->kind == WF_SETTING_ROW || row->kind == WF_SETTING_CHOICE) {
         hit = ui_choice(u, value, x, y, w, &choice, (ui_names){ row_count, row_name, row },
                         true);
@@ -819,7 +826,7 @@ static float other_lines(ui *u, game *g, int i, float x, float y, float w)
         hit = setting_number(u, row, 0, value, x, y, w, &s->value[i], true);
     }
     if (hit) game_begin_others(g);
-    y += UI_LINE;
+    y += high;
     if (s->other[i] != WF_OK)
         y = ui_wrapped(u, x, y + 13, w, WF_INK_BAD, wfResultText((wfResult)s->other[i]));
     return y + 6;
@@ -837,10 +844,11 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
             choose_worlds(g, worlds);
     }
     y += 32;
-    if (s->worlds > 1 && panel_shows(g, y, ROW) &&
+    float row = ui_row_high(u);
+    if (s->worlds > 1 && panel_shows(g, y, row) &&
         ui_check(u, "Over each other", x, y, w, s->overlaid))
         s->overlaid = !s->overlaid;
-    y += s->worlds > 1 ? ROW + 4 : 0;
+    y += s->worlds > 1 ? row + 4 : 0;
     for (int i = 0; i < s->worlds - 1; i++) y = other_lines(u, g, i, x, y, w);
     if (s->worlds > 1 && panel_shows(g, y, 26) &&
         ui_button(u, "All from the beginning", x, y, w, false))
@@ -850,15 +858,15 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
         ui_text(u, x, y + 12, 13, WF_INK_ACCENT, -1, "Curves of the last ten seconds");
     y += ROW + 2;
     for (int i = 0; i < wfPlotCount; i++) {
-        float left = i % 2 ? x + w / 2 - 10 : x, line = y + (float)(i / 2 * ROW);
+        float left = i % 2 ? x + w / 2 - 10 : x, line = y + (float)(i / 2) * row;
         char name[GAME_NAME_SIZE];
         snprintf(name, sizeof name, "curve: %s", wfPlotTable[i].name);
-        if (!panel_shows(g, line, ROW)) continue;
+        if (!panel_shows(g, line, row)) continue;
         if (ui_check(u, name, left, line, w / 2 - 8, game_curves(s) >> i & 1))
             game_turn_curve(s, i);
-        ui_tip(u, name, wfPlotTable[i].text, left, line, w / 2 - 8, ROW);
+        ui_tip(u, name, wfPlotTable[i].text, left, line, w / 2 - 8, row);
     }
-    y += (float)((wfPlotCount + 1) / 2 * ROW) + 6;
+    y += (float)((wfPlotCount + 1) / 2) * row + 6;
     if (panel_shows(g, y, 26) && ui_button(u, "Curves as CSV", x, y, w, false))
         press_csv(g);
     return y + 32;

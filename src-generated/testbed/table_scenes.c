@@ -228,6 +228,12 @@ static void draw_pool(const wfWorld *world, wfDraw *d, const wfSceneInput *in)
         wfDrawShape(d, &stick.shape, wfBodyTransform(&cue), WF_INK_ACCENT, WF_INK_ACCENT);
     if (pool_rests(world) && wfWorldCastRay(world, ray, NULL, &hit) == WF_OK)
         wfDrawDashed(d, WF_XY(ray.from), WF_XY(hit.point), 1.5f, WF_INK_FAINT);
+    int in_pockets = 0;
+    for (int32_t i = 1; i < POOL_BALLS; i++)
+        in_pockets += body_of(world, POOL_WHITE + i).p.y < WF_R(-2.5);
+    if (in_pockets > 0)
+        wfDrawTextf(d, 3.1f, -3.07f, 14, WF_INK_TEXT, -1, "%d of %d", in_pockets,
+                    POOL_BALLS - 1);
 }
 
 static wfResult build_maze(wfWorld *world)

@@ -257,9 +257,18 @@ bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
     return ui_area(u, name, x, y - more, w, 24 + 2 * more);
 }
 
+float ui_row_high(const ui *u)          /* a low picture has no room for more */
+{
+    return !u->finger ? 19 : u->height < 420 ? 30 : 34;
+}
+float ui_line_high(const ui *u) { return u->finger ? ui_row_high(u) : UI_LINE; }
+float ui_bar_high(const ui *u) { return u->height < 600 ? 30 : u->finger ? 32 : 30; }
+
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
 {
-    bool hot = ui_inside(u, x, y, w, 19);
+    float high = ui_row_high(u), above = y;
+    bool hot = ui_inside(u, x, y, w, high);
+    y += (high - 19) / 2;
     ui_box(u, x, y + 3, 12, 12, hot ? WF_INK_ACCENT : WF_INK_LINE,
            on ? WF_INK_ACCENT : WF_INK_PAPER);
     if (on && u->draw) {
@@ -269,14 +278,8 @@ bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
     }
     char words[GAME_NAME_SIZE];
     ui_text(u, x + 17, y + 13.5f, 13, WF_INK_TEXT, -1, ui_words(name, words));
-    return ui_area(u, name, x, y, w, 19);
+    return ui_area(u, name, x, above, w, high);
 }
-
-float ui_row_high(const ui *u)          /* a low picture has no room for more */
-{
-    return !u->finger ? 19 : u->height < 420 ? 30 : 34;
-}
-float ui_bar_high(const ui *u) { return u->height < 600 ? 30 : u->finger ? 32 : 30; }
 
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on)
 {
@@ -388,8 +391,10 @@ static bool takes_digit(ui_memory *m, int32_t key)
 static void draw_number(ui *u, const char *name, float x, float y, float w, double value,
                         ui_range r, bool changed)
 {
-    bool hot = ui_inside(u, x, y, w, UI_LINE) || u->memory->active == id_of(name);
+    float high = ui_line_high(u);
+    bool hot = ui_inside(u, x, y, w, high) || u->memory->active == id_of(name);
     char text[32], words[GAME_NAME_SIZE];
+    y += (high - UI_LINE) / 2;
     int length = snprintf(text, sizeof text, "%.5g", value);
     if (length > 9) snprintf(text, sizeof text, "%.3g", value);
     if (u->memory->edits == id_of(name))
@@ -418,9 +423,10 @@ bool ui_number(ui *u, const char *name, float x, float y, float w, double *value
     uint32_t id = id_of(name);
     double was = *value;
     draw_number(u, name, x, y, w, *value, r, changed);
-    bool inside = ui_inside(u, x + w - 92, y, 92, UI_LINE);
+    float high = ui_line_high(u);
+    bool inside = ui_inside(u, x + w - 92, y, 92, high);
     ui_limits may = u->limits ? *u->limits : (ui_limits){ r.least, r.most, NULL };
-    if (ui_area(u, name, x + w - 92, y, 92, UI_LINE) && u->enter)
+    if (ui_area(u, name, x + w - 92, y, 92, high) && u->enter)
         u->tapped = id, m->grip = *value;
     if (!u->draw) type_number(u, name, value, r, may, inside);
     if (u->press && !below_menu(u) && inside) {
@@ -458,7 +464,7 @@ static void open_menu(ui *u, const char *name, float right, float y, float w,
     float h = fminf(ui_row_high(u) * (float)count, u->height);
     m->open = m->open == id_of(name) ? 0 : id_of(name);
     m->menu[0] = right - w;
-    m->menu[1] = y + h > u->height ? y - UI_LINE - h : y;
+    m->menu[1] = y + h > u->height ? y - ui_line_high(u) - h : y;
     if (m->menu[1] < 0) m->menu[1] = u->height > h ? u->height - h : 0;
     m->menu[2] = w;
     m->menu[3] = h;
@@ -476,11 +482,13 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
 {
     ui_memory *m = u->memory;
     int count = names.count(names.of), was = *now, row;
-    float wide = w < 148 ? w : 148, left = x + w - wide;
-    bool hot = ui_inside(u, left, y, wide, UI_LINE), open = m->open == id_of(name);
+    float wide = w < 148 ? w : 148, left = x + w - wide, high = ui_line_high(u);
+    float above = y;
+    bool hot = ui_inside(u, left, y, wide, high), open = m->open == id_of(name);
     const char *text = names.name(names.of, *now);
     int ink = changed ? WF_INK_ACCENT : WF_INK_TEXT;
     char words[GAME_NAME_SIZE];
+    y += (high - UI_LINE) / 2;
     if (left > x) ui_text(u, x, y + 15, 13, ink, -1, ui_words(name, words));
     ui_box(u, left, y + 1, wide, UI_LINE - 3, hot ? WF_INK_ACCENT : WF_INK_FAINT,
            WF_INK_PAPER);
@@ -497,9 +505,9 @@ bool ui_choice(ui *u, const char *name, float x, float y, float w, int *now,
         m->open = 0;
         u->click = false;
     }
-    bool pressed = ui_area(u, name, left, y, wide, UI_LINE);
+    bool pressed = ui_area(u, name, left, above, wide, high);
     if (pressed && u->enter) *now = (*now + 1) % count;
-    else if (pressed) open_menu(u, name, x + w, y + UI_LINE, wide, names);
+    else if (pressed) open_menu(u, name, x + w, above + high, wide, names);
     if (!u->draw && u->turn && u->index == m->focus)
         *now = (*now + count + u->turn) % count;
     if (u->draw && m->open == id_of(name)) {
@@ -561,7 +569,8 @@ void ui_query(ui *u, const char *name, float x, float y, float w)
     bool empty = !m->typing && !m->query[0];
     ui_text(u, x + 6, y + 14.5f, 13, empty ? WF_INK_LINE : WF_INK_TEXT, -1,
             !empty ? text : u->finger ? "find" : "find  ( / )");
-    if (ui_area(u, name, x, y, w, 20)) m->typing = 1, m->all = 0;
+    float more = 6 * (float)u->finger;
+    if (ui_area(u, name, x, y - more, w, 20 + 2 * more)) m->typing = 1, m->all = 0;
     else if (u->click && !u->draw) m->typing = m->all = 0;
 }
 

@@ -86,7 +86,8 @@ bool ui_has_icon(const char *name);     /* a button of this name is wider by 13 
 bool ui_button(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on);
 bool ui_row(ui *u, const char *name, float x, float y, float w, bool on);
-float ui_row_high(const ui *u);         /* units: more for a finger */
+float ui_row_high(const ui *u);         /* units: more for a finger; of a check box too */
+float ui_line_high(const ui *u);        /* of a number, a choice */
 float ui_bar_high(const ui *u);         /* from one row of buttons to the next */
 
 /* What a number may be: ends (may be huge), its usual size; whole: an integer. */
@@ -94,7 +95,7 @@ typedef struct ui_range { double least, most, usual; bool whole; } ui_range;
 double ui_pulled(double v0, double d, ui_range r);
 /* The number that was typed, or the quotient of two; false: it is none. */
 bool ui_typed(const char *text, double *out);
-/* A number of UI_LINE units in height; true when it was changed by mouse or key. */
+/* A number; true when it was changed by mouse or key. */
 bool ui_number(ui *u, const char *name, float x, float y, float w, double *value,
                ui_range r, bool changed);
 /* Names of a list: how many, and which. */

@@ -1,6 +1,7 @@
 // address.mjs: the testbed's address in Chromium: it follows the scene and its settings, Back and Forward go there, an unknown scene is told,
 // and a link holds a world that was changed.
 //   node tests/web/address.mjs build/book/html          needs playwright-core (tests/web/run.sh brings it)
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { browser, check, end, html } from './browser.mjs';
 const open = async (hash, reducedMotion = 'no-preference') => {
@@ -169,6 +170,8 @@ check(/gravity\.y=-20$/.test(await tab.link()) && !again.test(await tab.tell('sa
 // W says where the world is, and a file can be chosen though one is kept
 await tab.evaluate(() => { const g = document.getElementById('testbed').game; g.key(119); for (let i = 0; i < 3; i++) g.frame(0, 0); });
 check(/^kept in this browser: world.save, \d+ bytes/.test(await tab.tell('said')), `W says: ${await tab.tell('said')}`);
+const [file] = await Promise.all([tab.waitForEvent('download', { timeout: 10000 }), tab.evaluate(() => { const g = document.getElementById('testbed').game; g.key(119); g.frame(0, 0); g.frame(0, 0); })]).catch(() => [null]);
+check(file && file.suggestedFilename() === 'world.save' && readFileSync(await file.path()).toString('base64') === await tab.evaluate(() => localStorage.getItem('weft/world.save')), 'W twice makes no file');
 const [chooser] = await Promise.all([tab.waitForEvent('filechooser', { timeout: 10000 }), tab.locator('#testbed').press('z')]).catch(() => [null]);
 if (check(chooser, 'Read JSON asks for no file')) {
   await chooser.setFiles({ name: 'a friend.save', mimeType: '', buffer: Buffer.from(world, 'base64') });
