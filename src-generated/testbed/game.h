@@ -28,6 +28,7 @@ typedef struct tape_note {
 enum { TAPE_STEP = 256 };           /* more bytes of a journal than a step needs */
 enum { FILE_NOTHING, FILE_SETTINGS, FILE_WORLD, FILE_TEXT, FILE_C, FILE_PICTURE,
        FILE_FRAME, FILE_CURVES, FILE_LINK, FILE_LAST };
+enum { TEXT_MOST = 256 * 1024 };    /* bytes of a scene in a file that go with its world */
 enum { SHOT_PICTURE = 1, SHOT_DRAWING = 2, FILM_MOVING = 1, FILM_FRAMES = 2 };
 enum { FILM_RATE = 30, FILM_PIXELS = 2200000, FILM_BYTES = 26 * 1024 * 1024 };
 enum { RING_BYTES = 16 * 1024 * 1024 };
@@ -110,6 +111,8 @@ typedef struct game_state {
     int32_t read;                       /* the world came from a file, and not from its scene */
     int32_t last;                       /* 1: it is what the run before was left with, or was */
     uint64_t kept;                      /* checksum of the settings that are kept */
+    uint32_t brought_size;              /* a scene's file that came with its saved world: */
+    char brought[TEXT_MOST];            /* its name and its text, and what ends each */
     int32_t shots, filming, film_over;  /* SHOT_..., FILM_... that are wanted, that run; an
                                            ended film waits for the card */
     int32_t frame_count;                /* files of pictures */
@@ -196,6 +199,8 @@ void game_tell(game *g, bool refused, const char *what);    /* on the last line 
 /* the world */
 camera game_home(const game *g);
 void game_look_home(game *g);
+void game_press_home(game *g);
+void game_use_brought(game *g);
 void game_show_overlays(game *g);
 void game_press_overlay(game *g, uint32_t bit);
 void game_open_scene(game *g, int row);

@@ -89,6 +89,7 @@ void game_begin_call(game *g, const game_memory *memory, const game_input *input
         g->state->opened = 0;
     g->world.workers = g->workers = memory->workers;
     g->text = memory->text, g->text_name = memory->text_name;
+    if (!g->text && g->state->brought_size) game_use_brought(g);
     wfSceneOfText(g->text, &g->state->info, &g->guest);
     if (g->state->row >= 0 && g->state->row < game_scene_count(g))
         g->scene = game_scene_at(g, g->state->row);
