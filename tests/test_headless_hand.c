@@ -263,6 +263,44 @@ TEST(the_menu_is_walked_by_the_arrows)
     play_end(&p);
 }
 
+/* Empty ground has a menu of its own, by right click and by a finger that rests. */
+TEST(the_ground_has_a_menu)
+{
+    static const char *const ask = "steps 0\nmove 400 300\nframe\ndown right\nframe\nup right\nframe\nframe\n";
+    play p = play_open(1100, 700, 1);
+    play_run(&p, "scene stack-of-boxes\nsteps 1\nwait 60\nkey p\nsteps 0\nframe\n");
+    int bodies = (int)play_fact(&p, "bodies", 0);
+    for (int i = 0; i < 2; i++) {
+        play_run(&p, ask);
+        assert_int_equal((int)play_fact(&p, "menu", 0), 2);
+        assert_null(play_line(&p, "widget Put the copies"));
+        play_click(&p, i ? "A disc here" : "A box here");
+        assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 1);
+        char label[20];
+        snprintf(label, sizeof label, "body %d", 7);
+        assert_true(fabs((double)pixel_of(&p, label, 0) - 400) < 1 && fabs((double)pixel_of(&p, label, 1) - 300) < 1);
+        play_run(&p, "steps 0\nkey undo\nframe\nframe\n");
+        assert_int_equal((int)play_fact(&p, "bodies", 0), bodies);
+    }
+    double view = play_fact(&p, "view", 2);
+    play_run(&p, "steps 0\nmove 400 300\nkey +\nframe\nframe\n");
+    play_run(&p, ask);
+    play_click(&p, "To the whole scene");
+    assert_near(play_fact(&p, "view", 2), view, 1e-6);
+    play_run(&p, ask);
+    play_click(&p, "Let time run");
+    assert_near(play_fact(&p, "paused", 0), 0, 0);
+    play_run(&p, "steps 0\nkey p\nkey n\nkey copy\nframe\nframe\n");
+    play_run(&p, ask);
+    play_click(&p, "Put the copies");
+    assert_int_equal((int)play_fact(&p, "bodies", 0), bodies + 1);
+    play_end(&p);
+    p = play_open(1100, 700, 1);
+    play_run(&p, "steps 0\nscene tower\nframe\nfinger 1\nmove 400 300\nframe\ndown left\nframe\nseconds 0.1\nwait 9\n");
+    assert_int_equal((int)play_fact(&p, "menu", 0), 2);
+    play_end(&p);
+}
+
 TEST(a_click_beside_the_menu_closes_it_and_a_pull_opens_none)
 {
     play p = play_open(1100, 700, 1);

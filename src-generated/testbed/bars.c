@@ -175,7 +175,7 @@ static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
 static void press_next(game *g) { game_open_scene(g, g->state->row + 1); }
 /* To the scene's view; if it is there already, or nothing moves in it, to all that moves,
  * or as near to it as makes sense. */
-static void press_home(game *g)
+void game_press_home(game *g)
 {
     enum { MOST = 30 };
     camera *c = &g->state->camera, was = *c;
@@ -219,7 +219,7 @@ static const button_row button_table[] = {
     { "Redo", NULL, GAME_KEY_REDO, 0, game_redo, "what was taken back, as you left it" },
     { "Previous", NULL, '[', 0, press_previous, "the scene before this one" },
     { "Next", NULL, ']', 0, press_next, "the next scene" },
-    { "Home", NULL, 'h', 0, press_home, "the whole scene; again: all that moves" },
+    { "Home", NULL, 'h', 0, game_press_home, "the whole scene; again: all that moves" },
     { "Size", NULL, ')', 0, press_size, "larger letters and buttons, and small again" },
     { "Dark", "Light", 'd', FLAG(dark), NULL, "dark on light, or light on dark" },
     { "Keys", NULL, '?', FLAG(keys), NULL, "what each key does" },

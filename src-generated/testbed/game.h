@@ -198,6 +198,7 @@ void game_tell(game *g, bool refused, const char *what);    /* on the last line 
 /* the world */
 camera game_home(const game *g);
 void game_look_home(game *g);
+void game_press_home(game *g);
 void game_use_brought(game *g);
 void game_show_overlays(game *g);
 void game_press_overlay(game *g, uint32_t bit);

@@ -79,14 +79,42 @@ static void menu_numbers(game *g, wfBodyId id)
     g->state->panel = 1, g->state->tab = TAB_BODY, g->state->panel_scroll = 0;
 }
 
-/* Opens at this place of the picture for the body there, if there is one. */
+static void menu_put(game *g, int shape)
+{
+    game_state *s = g->state;
+    tool_work w = game_tools_of(g);
+    tool_memory *m = w.memory;
+    int32_t choice = m->choice[TOOL_SHAPE];
+    float at[2];
+    camera_pick(&s->camera, s->menu_x * s->scale, s->menu_y * s->scale, at);
+    m->from = m->at = wfV2((wfReal)at[0], (wfReal)at[1]);
+    m->choice[TOOL_SHAPE] = shape;
+    tool_place(&w);
+    m->choice[TOOL_SHAPE] = choice;
+}
+
+static void menu_disc(game *g, wfBodyId id) { (void)id, menu_put(g, 0); }
+static void menu_box(game *g, wfBodyId id) { (void)id, menu_put(g, 1); }
+static void menu_home(game *g, wfBodyId id) { (void)id, game_press_home(g); }
+static void menu_run(game *g, wfBodyId id) { (void)id, g->state->paused ^= 1; }
+
+static void menu_paste(game *g, wfBodyId id)
+{
+    tool_work w = game_tools_of(g);
+    (void)id;
+    tool_copy_all(&w);
+}
+
+/* Opens at this place of the picture for the body there, or for the ground, if the hand has
+ * that for itself. */
 void game_open_menu(game *g, float x, float y)
 {
     game_state *s = g->state;
-    if (!s->hover.index) return;
-    tool_lead(&s->tools, s->hover);
+    bool body = s->hover.index != 0;
+    if (!body && (s->tools.tool || g->scene->points || g->scene->alias)) return;
+    if (body) tool_lead(&s->tools, s->hover);
     s->held = (wfBodyId){ 0 };
-    s->menu = 1;
+    s->menu = body ? 1 : 2;
     s->ui.focus = s->menu_way = s->menu_do = 0;
     s->menu_x = x / s->scale, s->menu_y = y / s->scale;
 }
@@ -103,9 +131,18 @@ static int walk_menu(game_state *s, int before, int rows)
     return row;
 }
 
+typedef struct menu_row {
+    const char *one, *all;
+    void (*act)(game *, wfBodyId);
+} menu_row;
+
 void game_body_menu(ui *u, game *g)
 {
-    static const struct { const char *one, *all; void (*act)(game *, wfBodyId); } row[] = {
+    static const menu_row of_ground[] = {
+        { "A box here", 0, menu_box }, { "A disc here", 0, menu_disc },
+        { "To the whole scene", 0, menu_home }, { "Stop time", 0, menu_run },
+        { "Put the copies", 0, menu_paste } };
+    static const menu_row of_body[] = {
         { "Remove it", "Remove them", menu_remove }, { "Copy it", 0, menu_copy },
         { "Freeze it", "Freeze them", menu_freeze },
         { "Twice the mass", "Twice each mass", menu_heavier },
@@ -113,26 +150,31 @@ void game_body_menu(ui *u, game *g)
         { "Next colour", "Next colours", menu_colour },
         { "Follow it", 0, menu_follow }, { "Plot it", 0, menu_plot },
         { "Numbers and joints", 0, menu_numbers } };
-    enum { ROWS = sizeof row / sizeof *row };
     game_state *s = g->state;
+    bool ground = s->menu == 2;
+    const menu_row *row = ground ? of_ground : of_body;
+    int rows = ground ? 4 + (s->tools.copies > 0) : (int)(sizeof of_body / sizeof *row);
     wfBodyId id = s->tools.count ? s->tools.chosen[0] : (wfBodyId){ 0, 0 };
-    if (s->menu && !wfBodyIsValid(&g->world, id)) s->menu = 0;
+    if (s->menu == 1 && !wfBodyIsValid(&g->world, id)) s->menu = 0;
     if (!s->menu) return;
-    float w = 150, each = ui_row_high(u), h = ROWS * each + 8;
+    float w = 150, each = ui_row_high(u), h = (float)rows * each + 8;
     float x = s->menu_x + w > s->width ? s->width - w : s->menu_x;
     float y = s->menu_y + h > s->height ? s->height - h : s->menu_y;
-    int keys = walk_menu(s, u->index, ROWS), done = s->menu_do ? keys : -1;
+    int keys = walk_menu(s, u->index, rows), done = s->menu_do ? keys : -1;
     s->menu_do = 0;
     ui_box(u, x, y, w, h, WF_INK_LINE, WF_INK_PAPER);
-    for (int i = 0; i < ROWS; i++) {
+    for (int i = 0; i < rows; i++) {
         bool all = s->tools.count > 1 && row[i].all;
         const char *name = all ? row[i].all : row[i].one;
         if (row[i].act == menu_freeze && is_frozen(g, id))
             name = all ? "Let them move" : "Let it move";
+        if (row[i].act == menu_run && s->paused) name = "Let time run";
         if (row[i].act == menu_follow && s->follow.index == id.index) name = "Don't follow";
         if (!ui_row(u, name, x + 4, y + 4 + each * (float)i, w - 8, i == keys) && i != done)
             continue;
-        for (int k = all ? s->tools.count - 1 : 0; k >= 0; k--)     /* the first is last */
+        if (ground) row[i].act(g, id);
+        int last = ground ? -1 : all ? s->tools.count - 1 : 0;
+        for (int k = last; k >= 0; k--)                             /* the first is last */
             if (k < s->tools.count) row[i].act(g, s->tools.chosen[k]);
         s->menu = s->ui.focus = 0;
     }

@@ -286,7 +286,7 @@ static wfResult add_body(tool_work *w, const wfBodyDef *def, wfBodyId *out)
     return result;
 }
 
-static void place(tool_work *w)
+void tool_place(tool_work *w)
 {
     tool_memory *m = w->memory;
     wfBodyDef def = body_of_choice(m);
@@ -943,7 +943,7 @@ const tool_row toolTable[] = {
     { "Hand", "drag bodies and throw them", 'g', 0,
       press_hand, nothing, click_joint, NULL },
     { "Place", "press for the middle of a new body, pull it to its size", 'b',
-      1 << TOOL_SHAPE | 1 << TOOL_STUFF | 1 << TOOL_TYPE, nothing, nothing, place,
+      1 << TOOL_SHAPE | 1 << TOOL_STUFF | 1 << TOOL_TYPE, nothing, nothing, tool_place,
       draw_placing },
     { "Draw", "draw the outline of a new body", 'y', 1 << TOOL_STUFF | 1 << TOOL_TYPE,
       begin_stroke, add_point, end_outline, draw_stroke },

@@ -105,6 +105,7 @@ void tool_remove_chosen(tool_work *w);
  * Ctrl-C took, with the joints between them. If there is no room, nothing changes. */
 void tool_copy(tool_work *w, wfBodyId id);
 void tool_copy_all(tool_work *w);
+void tool_place(tool_work *w);          /* what Place is set to, from `from' to `at' */
 /* Puts a body so that its grip, in its frame, is at the mouse; NULL: it does not turn. */
 void tool_carry(tool_work *w, wfBodyId id, wfVec2 grip, const wfReal *angle);
 #endif
