@@ -43,12 +43,6 @@ static uint32_t put_text(const game *g, uint8_t *at, size_t room)
     return (uint32_t)all;
 }
 
-void game_use_brought(game *g)
-{
-    g->text_name = g->state->brought;
-    g->text = g->text_name + strlen(g->text_name) + 1;
-}
-
 /* Such a text becomes the scene that was brought along, if there is no other. */
 static bool take_text(game *g, const char *at, size_t size)
 {
