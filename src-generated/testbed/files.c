@@ -29,7 +29,6 @@ bool game_has_card(game *g)
                                      : "there is no place for files here (--folder)");
     return home;
 }
-
 enum { SAVE_HEAD = 64, TEXT_AT = 56 };  /* the head; in it the bytes of the scene's text */
 
 /* Behind a world whose scene is a file: the file's name and its text. How many bytes? */
