@@ -173,34 +173,6 @@ static void press_reset(game *g)
 }
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
 static void press_next(game *g) { game_open_scene(g, g->state->row + 1); }
-/* To the scene's view; if it is there already, or nothing moves in it, to all that moves,
- * or as near to it as makes sense. */
-void game_press_home(game *g)
-{
-    enum { MOST = 30 };
-    camera *c = &g->state->camera, was = *c;
-    wfBodyView v = wfWorldBodies(&g->world);
-    float edge[4], box[4] = { 1e30f, 1e30f, -1e30f, -1e30f }, at[2] = { 0 }, least = 1e30f;
-    bool seen = false, away = false;
-    game_look_home(g);
-    game_find_seen(c, edge);
-    for (int32_t i = 0; i < v.count; i++) {
-        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
-        float p[2] = { WF_XY(v.state[i].p) }, far = fabsf(p[0] - c->x) + fabsf(p[1] - c->y);
-        bool in = p[0] > edge[0] && p[0] < edge[2] && p[1] > edge[1] && p[1] < edge[3];
-        seen |= in, away |= !in;
-        if (far < least) least = far, at[0] = p[0], at[1] = p[1];
-        for (int k = 0; k < 2; k++)
-            box[k] = fminf(box[k], p[k]), box[k + 2] = fmaxf(box[k + 2], p[k]);
-    }
-    bool again = was.x == c->x && was.y == c->y && was.height == c->height;
-    if (!away || (seen && !again) || wfWorldSteps(&g->world) == 0) return;
-    float size = fmaxf((box[2] - box[0]) / (edge[2] - edge[0]),
-                       (box[3] - box[1]) / (edge[3] - edge[1]));
-    bool all = 1.2f * size < MOST;
-    c->height *= fminf(fmaxf(1.2f * size, 1), MOST);
-    c->x = all ? (box[0] + box[2]) / 2 : at[0], c->y = all ? (box[1] + box[3]) / 2 : at[1];
-}
 static void press_size(game *g)
 {
     int32_t *at = &g->state->letters;
@@ -456,6 +428,35 @@ void game_tool_bar(ui *u, game *g, bar *b)
         }
         b->x += wide + 6;
     }
+}
+
+/* To the scene's view; if it is there already, or nothing moves in it, to all that moves,
+ * or as near to it as makes sense. */
+void game_press_home(game *g)
+{
+    enum { MOST = 30 };
+    camera *c = &g->state->camera, was = *c;
+    wfBodyView v = wfWorldBodies(&g->world);
+    float edge[4], box[4] = { 1e30f, 1e30f, -1e30f, -1e30f }, at[2] = { 0 }, least = 1e30f;
+    bool seen = false, away = false;
+    game_look_home(g);
+    game_find_seen(c, edge);
+    for (int32_t i = 0; i < v.count; i++) {
+        if (!v.alive[i] || v.props[i].type != WF_DYNAMIC) continue;
+        float p[2] = { WF_XY(v.state[i].p) }, far = fabsf(p[0] - c->x) + fabsf(p[1] - c->y);
+        bool in = p[0] > edge[0] && p[0] < edge[2] && p[1] > edge[1] && p[1] < edge[3];
+        seen |= in, away |= !in;
+        if (far < least) least = far, at[0] = p[0], at[1] = p[1];
+        for (int k = 0; k < 2; k++)
+            box[k] = fminf(box[k], p[k]), box[k + 2] = fmaxf(box[k + 2], p[k]);
+    }
+    bool again = was.x == c->x && was.y == c->y && was.height == c->height;
+    if (!away || (seen && !again) || wfWorldSteps(&g->world) == 0) return;
+    float size = fmaxf((box[2] - box[0]) / (edge[2] - edge[0]),
+                       (box[3] - box[1]) / (edge[3] - edge[1]));
+    bool all = 1.2f * size < MOST;
+    c->height *= fminf(fmaxf(1.2f * size, 1), MOST);
+    c->x = all ? (box[0] + box[2]) / 2 : at[0], c->y = all ? (box[1] + box[3]) / 2 : at[1];
 }
 
 /* List and Size move when they are pressed. One more of it stays under the mouse until that

@@ -29,7 +29,6 @@ bool game_has_card(game *g)
                                      : "there is no place for files here (--folder)");
     return home;
 }
-
 enum { SAVE_HEAD = 64, TEXT_AT = 56 };  /* the head; in it the bytes of the scene's text */
 
 /* Behind a world whose scene is a file: the file's name and its text. How many bytes? */
@@ -41,12 +40,6 @@ static uint32_t put_text(const game *g, uint8_t *at, size_t room)
     memcpy(at, name, first);
     memcpy(at + first, g->text, all - first);
     return (uint32_t)all;
-}
-
-void game_use_brought(game *g)
-{
-    g->text_name = g->state->brought;
-    g->text = g->text_name + strlen(g->text_name) + 1;
 }
 
 /* Such a text becomes the scene that was brought along, if there is no other. */

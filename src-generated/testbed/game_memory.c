@@ -73,6 +73,13 @@ const wfScene *game_scene_at(const game *g, int row)
     return row < wfSceneCount() ? wfSceneAt(row) : &g->guest;
 }
 
+/* The scene that was brought along came with a saved world. */
+void game_use_brought(game *g)
+{
+    g->text_name = g->state->brought;
+    g->text = g->text_name + strlen(g->text_name) + 1;
+}
+
 void game_begin_call(game *g, const game_memory *memory, const game_input *input)
 {
     *g = (game){ .state = memory->permanent, .input = input,

@@ -173,7 +173,8 @@ void game_body_menu(ui *u, game *g)
         if (!ui_row(u, name, x + 4, y + 4 + each * (float)i, w - 8, i == keys) && i != done)
             continue;
         if (ground) row[i].act(g, id);
-        for (int k = all ? s->tools.count - 1 : 0; k >= 0 && !ground; k--) /* back */
+        int last = ground ? -1 : all ? s->tools.count - 1 : 0;
+        for (int k = last; k >= 0; k--)                             /* the first is last */
             if (k < s->tools.count) row[i].act(g, s->tools.chosen[k]);
         s->menu = s->ui.focus = 0;
     }
