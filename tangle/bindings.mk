@@ -14,7 +14,7 @@ SYSROOT ?= /usr
 RT := $(firstword $(wildcard $(shell $(WEBCC) -print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a))
 FLAGS = --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -flto $(shell tangle/std) -mbulk-memory -mnontrapping-fptoint -ffunction-sections -fdata-sections -DNDEBUG -DWF_FREESTANDING -DWF_ENGINE
 # wasm-opt takes off a fiftieth; without it the package works as well
-OPT := $(if $(shell command -v wasm-opt),wasm-opt -Oz --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext --enable-mutable-globals)
+OPT := $(if $(shell command -v wasm-opt),wasm-opt -Oz --converge --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext --enable-mutable-globals)
 JS := $(SRC)/bindings/weft.js
 GAME := $(OUT)/npm-obj/src
 .PHONY: npm python
@@ -32,7 +32,7 @@ $(OUT)/npm-obj/weft.wasm: $(JS) $(wildcard $(SRC)/*/*.c $(SRC)/*/*.h $(SRC)/incl
 	@$(if $(OPT),$(OPT) $@ -o $@)
 # comments and leading spaces go; what remains is as readable as before
 $(NPM)/weft-physics.js: $(OUT)/npm-obj/weft.wasm book/live.js
-	@mkdir -p $(@D); xz -c --format=lzma --lzma1=preset=9e,pb=0,nice=273 $< > $<.lzma
+	@mkdir -p $(@D); xz -c --format=lzma --lzma1=preset=9e,pb=0,nice=48 $< > $<.lzma
 	@{ echo "/* weft-physics $(VERSION), MIT licence; made by make npm */"; echo "(() => {"; echo "'use strict';"; \
 	   { sed -n '/const unpack = /,/^  };/p' book/live.js; tangle/bindings $(GAME) js $(JS); } | sed -E 's/^ +//; /^\/\//d; /^\/\*\*.*\*\/$$/d; /^\/\*\*/,/\*\/$$/d; s/ \/\/ .*//; /^$$/d'; \
 	   printf 'const SIZE = %d, DATA = "' $$(wc -c < $<); base64 -w0 $<.lzma; echo '";'; echo "start();"; echo "})();"; } > $@

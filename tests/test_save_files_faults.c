@@ -178,8 +178,8 @@ TEST(every_argument_of_a_body)
     expect(&w, WF_ERROR_NOT_FINITE, wfApplyForceToBody(&w, b, wfV2(nan, 0), wfV2(0, 0)), "wfApplyForceToBody: force or point: a number is NaN or infinite: look for a division by zero before the call");
     expect(&w, WF_ERROR_NOT_FINITE, wfApplyImpulseToBody(&w, b, wfV2(0, 0), wfV2(nan, 0)), "wfApplyImpulseToBody: point.x is not a number, must be finite");
     expect(&w, WF_ERROR_NOT_FINITE, wfApplyAngularImpulseToBody(&w, b, nan), "wfApplyAngularImpulseToBody: impulse is not a number, must be finite");
-    expect(&w, WF_ERROR_STALE_ID, wfSetBodyDamping(&w, gone, 0, 0), "wfSetBodyDamping: id: an id names something that was removed or never existed");
-    expect(&w, WF_ERROR_STALE_ID, wfRemoveShapeFromWorld(&w, (wfShapeId){ 9, 9 }), "wfRemoveShapeFromWorld: id: an id names something that was removed or never existed");
+    expect(&w, WF_ERROR_STALE_ID, wfSetBodyDamping(&w, gone, 0, 0), "wfSetBodyDamping: id is 3: generation [1] is gone: drop the id");
+    expect(&w, WF_ERROR_STALE_ID, wfRemoveShapeFromWorld(&w, (wfShapeId){ 9, 9 }), "wfRemoveShapeFromWorld: id is 9: generation [9] is gone: drop the id");
     /* a call that goes well, and one that only reads */
     wfBodyInfo out;
     assert_result(WF_ERROR_STALE_ID, wfGetBody(&w, gone, &out));
@@ -222,7 +222,7 @@ TEST(calls_that_move_a_world)
     expect(&w, WF_ERROR_NULL, wfGrowWorld(&w, NULL), "wfGrowWorld: def: a pointer is NULL: pass the address of a structure");
     assert_ok(wfGetWorldDef(&w, &def));
     def.advanced.directJoints = WF_JOINTS_ITERATIVE;
-    expect(&w, WF_ERROR_MEMORY, wfSetWorldDef(&w, &def), "wfSetWorldDef: directJoints: chosen when a world is made");
+    expect(&w, WF_ERROR_MEMORY, wfSetWorldDef(&w, &def), "wfSetWorldDef: directJoints is 0: chosen when a world is made");
     expect(&w, WF_ERROR_MEMORY, wfSetMethods(&w, -1, -1, -1, wfFindSolver("exact")), "wfSetMethods: solver: chosen when a world is made");
     assert_unchanged(&w, before);
     free(bytes);
@@ -291,7 +291,7 @@ TEST(every_setting)
     }
     assert_ok(wfGetWorldDef(&w, &def));
     def.bodyCapacity++;
-    expect(&w, WF_ERROR_BUILT_IN, wfSetWorldDef(&w, &def), "wfSetWorldDef: bodyCapacity: this setting is built into the block: create a world with it (wfGetWorldDef)");
+    expect(&w, WF_ERROR_BUILT_IN, wfSetWorldDef(&w, &def), "wfSetWorldDef: bodyCapacity is 257: this setting is built into the block: create a world with it (wfGetWorldDef)");
     expect(&w, WF_ERROR_RANGE, wfSetTimeStep(&w, 0), "wfSetTimeStep: timeStep is 0, must be > 0");
     wfDestroyWorld(&w);
 }
@@ -360,25 +360,31 @@ TEST(rules_of_two_fields)
     expect(&w, WF_ERROR_RANGE, wfAddBodyToWorld(&w, &wall, NULL), "wfAddBodyToWorld: def.velocity: a static body has none: make it kinematic");
     expect(&w, WF_ERROR_NULL, wfAddBodyToWorld(&w, NULL, NULL), "wfAddBodyToWorld: def: a pointer is NULL: pass the address of a structure");
     expect(&w, WF_ERROR_UNKNOWN, wfDefineJoint(&w, "reolute", a, b, o, o, x, &j), "wfDefineJoint: kind: wfJointTable has their names");
-    expect(&w, WF_ERROR_RANGE, wfDefineJoint(&w, "revolute", a, a, o, o, x, &j), "wfDefineJoint: b: it joins a body with itself");
+    expect(&w, WF_ERROR_RANGE, wfDefineJoint(&w, "revolute", a, a, o, o, x, &j), "wfDefineJoint: b is 1: it joins a body with itself");
     expect(&w, WF_ERROR_RANGE, wfDefineJoint(&w, "prismatic", a, b, o, o, o, &j), "wfDefineJoint: axis: it has no length");
-    expect(&w, WF_ERROR_STALE_ID, wfDefineJoint(&w, "revolute", a, stale, o, o, x, &j), "wfDefineJoint: b: an id names something that was removed or never existed");
+    expect(&w, WF_ERROR_STALE_ID, wfDefineJoint(&w, "revolute", a, stale, o, o, x, &j), "wfDefineJoint: b is 7: generation [7] is gone: drop the id");
     assert_ok(wfDefineJoint(&w, "revolute", a, b, o, o, x, &j));
     wfJoint bad = j;
     bad.lower = 2, bad.upper = 1;
-    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.lower: it is above joint.upper");
+    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.lower is 2: it is above joint.upper");
     bad = j, bad.axis = wfV2(2, 0);
-    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.axis: it must have the length 1");
+    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.axis is 2: its length, which must be 1");
     bad = j, bad.kind = 99;
-    expect(&w, WF_ERROR_UNKNOWN, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.kind: wfFindJoint tells it");
+    expect(&w, WF_ERROR_UNKNOWN, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.kind is 99: wfFindJoint tells it");
     bad = j, bad.ratio = 0;
-    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.ratio: it must not be 0");
+    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.ratio is 0: it must not be 0");
     bad = j, bad.kind = wfFindJoint("ratchet"), bad.ratio = -1;
-    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.ratio: a ratchet's tooth is above 0");
+    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.ratio is -1: a ratchet's tooth is above 0");
+    bad = j, bad.kind = wfFindJoint("rack"), bad.groundA = wfV2(0, 3);
+    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.groundA is 3: its length, which must be 1");
+    bad = j, bad.flags |= 32;
+    expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.flags is 32, must be >= 0 and <= 31");
+    expect(&w, WF_ERROR_STALE_ID, wfSetBodyMass(&w, stale, 1), "wfSetBodyMass: id is 7: generation [7] is gone: drop the id");
+    assert_true(wfLastFault(&w)->value == 7);
     bad = j, bad.a = -1;
     expect(&w, WF_ERROR_RANGE, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.a is -1, must be >= 0");
     bad = j, bad.b = 77;
-    expect(&w, WF_ERROR_STALE_ID, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.b: an id names something that was removed or never existed");
+    expect(&w, WF_ERROR_STALE_ID, wfAddJointToWorld(&w, &bad, NULL), "wfAddJointToWorld: joint.b is 77: no such body");
     wfShapeDef three[3] = { wfDefaultShapeDef(), wfDefaultShapeDef(), wfDefaultShapeDef() };
     for (int i = 0; i < 3; i++) assert_ok(wfMakeBox(1, 1, &three[i].shape));
     three[2].friction = WF_R(-0.3);

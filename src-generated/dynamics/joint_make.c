@@ -92,9 +92,10 @@ const wfNumber wfJointNumbers[] = {
     ANY(groundA.x), ANY(groundA.y), ANY(groundB.x), ANY(groundB.y), ANY(rest), ANY(angle),
     ANY(ratio), ANY(lower), ANY(upper), FROM_ZERO(stiffness), FROM_ZERO(damping),
     FROM_ZERO(springForce), ANY(motorSpeed), FROM_ZERO(motorForce), FROM_ZERO(breakForce),
-    FROM_ZERO(breakTorque), ANY(turnA), ANY(turnB), ANY(impulse[0]), ANY(impulse[1]),
-    ANY(impulse[2]), ANY(impulse[3]), ANY(impulse[4]), ANY(impulse[5]), ANY(load.x),
-    ANY(load.y), ANY(twist), ANY(peakForce), ANY(peakTorque),
+    FROM_ZERO(breakTorque), WF_WHOLE(wfJoint, flags, 0, 31), ANY(turnA), ANY(turnB),
+    ANY(impulse[0]), ANY(impulse[1]), ANY(impulse[2]), ANY(impulse[3]), ANY(impulse[4]),
+    ANY(impulse[5]),
+    ANY(load.x), ANY(load.y), ANY(twist), ANY(peakForce), ANY(peakTorque),
 };
 const int wfJointNumberCount = (int)(sizeof wfJointNumbers / sizeof *wfJointNumbers);
 
@@ -107,7 +108,10 @@ wfResult wfCheckJoint(const wfJoint *j)
     if (j->a == j->b) return WF_ERROR_RANGE;
     if (j->lower > j->upper || j->ratio == 0) return WF_ERROR_RANGE;
     if (wfAbs(wfLength(j->axis) - 1) > WF_R(0.001)) return WF_ERROR_RANGE;
-    return j->kind == wfFindJoint("ratchet") && j->ratio < 0 ? WF_ERROR_RANGE : WF_OK;
+    const wfJointKindRow *row = &wfJointTable[j->kind];
+    bool rack = row->slides && !row->holds;         /* or a linkage: groundA is its way */
+    if (rack && wfAbs(wfLengthSq(j->groundA) - 1) > WF_R(0.002)) return WF_ERROR_RANGE;
+    return j->ratio < 0 && row->track != NULL ? WF_ERROR_RANGE : WF_OK;
 }
 
 /* check a step of joints */

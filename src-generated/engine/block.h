@@ -211,11 +211,19 @@ wfResult wfChangeBlockAs(const char *call, wfWorld *world, wfBlock *out);
 wfResult wfChangeBodyAs(const char *call, wfWorld *world, wfBodyId id, wfBlock *b,
                         int32_t *index);
 #define wfChangeBody(world, id, b, index) wfChangeBodyAs(WF_CALL, world, id, b, index)
-/* Notes that a number of a structure is refused (number NULL: a field of that name). */
+/* Notes that a number of a structure is refused (number NULL: a field of that name, which
+ * is no number; wfNoRange: `mend` tells what it may be). A "[]" stands for the element. */
 void wfNoteFault(const wfBlock *b, wfResult result, const char *of, int32_t element,
                  const char *field, const wfNumber *number, double value,
                  const char *mend);
 void wfNoteWorld(wfWorld *world, const wfWorldDef *def, wfResult result);
+/* The first of a call; result may be WF_OK. */
+void wfNoteField(const wfBlock *b, wfResult result, const char *field, int32_t element,
+                 const char *mend);
+void wfNoteValue(const wfBlock *b, wfResult result, const char *field, double value,
+                 const char *mend);
+void wfNoteId(const wfBlock *b, const char *field, uint32_t index, uint32_t generation);
+extern const wfNumber wfNoRange;
 /* Returns the result. If it is an error, and no other was noted for this call: notes that
  * it is a field's, and what mends it (NULL: what the result says). A "[]" of the field
  * stands for an element's index. */
@@ -224,14 +232,30 @@ static inline wfResult wfRefuseOne(const wfBlock *b, wfResult result, const char
 {
     (void)b, (void)field, (void)element, (void)mend;
     /* note what is refused */
-    if (result != WF_OK && b->fault != NULL && b->fault->result == WF_OK)
-        wfNoteFault(b, result, "", element, field, NULL, 0, mend);
+    wfNoteField(b, result, field, element, mend);
     return result;
 }
 static inline wfResult wfRefuse(const wfBlock *b, wfResult result, const char *field,
                                 const char *mend)
 {
     return wfRefuseOne(b, result, field, 0, mend);
+}
+/* The same of a number, and of an id that names nothing. */
+static inline wfResult wfRefuseValue(const wfBlock *b, wfResult result, const char *field,
+                                     double value, const char *mend)
+{
+    (void)b, (void)field, (void)value, (void)mend;
+    /* note the value that is refused */
+    wfNoteValue(b, result, field, value, mend);
+    return result;
+}
+static inline wfResult wfRefuseId(const wfBlock *b, const char *field, uint32_t index,
+                                  uint32_t generation)
+{
+    (void)b, (void)field, (void)index, (void)generation;
+    /* note the id that is refused */
+    wfNoteId(b, field, index, generation);
+    return WF_ERROR_STALE_ID;
 }
 /* The same for a call that has no block of its own. */
 static inline wfResult wfRefuseCallAs(const char *call, wfWorld *world, wfResult result,
@@ -242,7 +266,7 @@ static inline wfResult wfRefuseCallAs(const char *call, wfWorld *world, wfResult
     wfBlock b = { .fault = world != NULL ? &world->fault : NULL };
     if (b.fault != NULL && result != WF_OK && result != WF_ERROR_BUSY) {
         *b.fault = (wfCallFault){ .call = call };
-        wfNoteFault(&b, result, "", 0, field, NULL, 0, mend);
+        wfNoteField(&b, result, field, 0, mend);
     }
     return result;
 }

@@ -444,15 +444,15 @@ static wfResult kick(const char *call, wfWorld *world, wfBodyId id, wfVec2 impul
     if (result == WF_OK) result = wfCheckVector(&b, "impulse.", impulse);
     if (result == WF_OK) result = wfCheckReal(&b, "impulse", spin, WF_ANY_REAL);
     if (result == WF_OK && point != NULL) result = wfCheckVector(&b, "point.", *point);
-    if (result == WF_OK)
-        result = wfRequireModules(&b, spin != 0 ? WF_MODULE_ROTATION : 0);
+    uint32_t modules = spin != 0 ? WF_MODULE_ROTATION : 0;
+    if (result == WF_OK) result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
     wfBodyState kicked = b.state[i];
     if (point != NULL) wfApplyImpulse(&kicked, impulse, *point);
     wfApplyAngularImpulse(&kicked, spin);
     if (!wfBodyIsFinite(&kicked)) return wfRefuse(&b, WF_ERROR_NOT_FINITE, "impulse", NULL);
     b.state[i] = kicked;
-    if (spin != 0) wfUse(&b, WF_MODULE_ROTATION);
+    wfUse(&b, modules);
     if (impulse.x != 0 || impulse.y != 0 || spin != 0) wfBodyChanged(&b, i);
     return WF_OK;
 }

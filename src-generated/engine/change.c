@@ -117,7 +117,8 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
         return wfRefuse(b, WF_ERROR_MEMORY, "solver", "chosen when a world is made");
     bool matrix = h->directJoints != WF_JOINTS_ITERATIVE;
     if (matrix != (d.advanced.directJoints != WF_JOINTS_ITERATIVE))
-        return wfRefuse(b, WF_ERROR_MEMORY, "directJoints", "chosen when a world is made");
+        return wfRefuseValue(b, WF_ERROR_MEMORY, "directJoints", d.advanced.directJoints,
+                             "chosen when a world is made");
     if (!same) wfBodyChanged(b, -1);
     /* before the settings change */
     if (!d.advanced.queries) h->indexStale = 1;

@@ -44,7 +44,7 @@ wfResult wfRefuseSetting(const wfBlock *b, wfResult result, const wfSetting *s,
     bool ranged = result == WF_ERROR_RANGE || result == WF_ERROR_NOT_FINITE
                || (result == WF_ERROR_UNKNOWN && s->kind != WF_SETTING_SET);
     const char *which = wfSettingParts(s) < 2 ? "" : part == 0 ? ".x" : ".y";
-    wfNoteFault(b, result, s->name, 0, which, ranged ? &range : NULL,
+    wfNoteFault(b, result, s->name, 0, which, ranged ? &range : &wfNoRange,
                 wfSettingValue(def, s, part), NULL);
     return result;
 }
@@ -113,7 +113,7 @@ static void put_name(Line *l, const char *name, int32_t element)
 {
     for (; *name != 0; name++) {
         put_letter(l, *name);
-        if (name[0] == '[' && name[1] == ']') put_whole(l, (uint64_t)element);
+        if (name[0] == '[' && name[1] == ']') put_whole(l, (uint32_t)element);
     }
 }
 
@@ -129,28 +129,55 @@ static void put_range(Line *l, const wfNumber *n)
     if (high) put(l, "<= "), put_number(l, (double)n->most);
 }
 
+const wfNumber wfNoRange = { .least = 1, .most = 0 };
+
 void wfNoteFault(const wfBlock *b, wfResult result, const char *of, int32_t element,
                  const char *field, const wfNumber *number, double value,
                  const char *mend)
 {
     wfCallFault *f = b->fault;
+    bool ranged = number != NULL && number != &wfNoRange;
     Line name = { f->field, f->field + sizeof f->field - 1 };
     Line text = { f->text, f->text + sizeof f->text - 1 };
     f->result = result;
     f->value = value;
-    f->least = number != NULL ? (double)number->least : 0;
-    f->most = number != NULL ? (double)number->most : 0;
+    f->least = ranged ? (double)number->least : 0;
+    f->most = ranged ? (double)number->most : 0;
     put_name(&name, of, element);
     put_name(&name, field, element);
     put(&text, f->call);
     put(&text, ": ");
     put(&text, f->field);
     if (number != NULL) put(&text, " is "), put_number(&text, value);
-    if (number != NULL) put_range(&text, number);
-    if (number == NULL && f->field[0] != 0) put(&text, ": ");
-    if (number != NULL && mend != NULL) put(&text, ": ");
-    if (number == NULL || mend != NULL)
-        put(&text, mend != NULL ? mend : wfResultText(result));
+    if (ranged) put_range(&text, number);
+    if (ranged ? mend != NULL : f->field[0] != 0) put(&text, ": ");
+    if (!ranged || mend != NULL)
+        put_name(&text, mend != NULL ? mend : wfResultText(result), element);
+}
+
+static bool is_first(const wfBlock *b, wfResult result)
+{
+    return result != WF_OK && b->fault != NULL && b->fault->result == WF_OK;
+}
+
+void wfNoteField(const wfBlock *b, wfResult result, const char *field, int32_t element,
+                 const char *mend)
+{
+    if (is_first(b, result)) wfNoteFault(b, result, "", element, field, NULL, 0, mend);
+}
+
+void wfNoteValue(const wfBlock *b, wfResult result, const char *field, double value,
+                 const char *mend)
+{
+    const wfNumber *number = result != WF_ERROR_NULL ? &wfNoRange : NULL;
+    if (is_first(b, result)) wfNoteFault(b, result, "", 0, field, number, value, mend);
+}
+
+void wfNoteId(const wfBlock *b, const char *field, uint32_t index, uint32_t generation)
+{
+    if (b->fault != NULL)
+        wfNoteFault(b, WF_ERROR_STALE_ID, "", (int32_t)generation, field, &wfNoRange, index,
+                    "generation [] is gone: drop the id");
 }
 
 void wfNoteWorld(wfWorld *world, const wfWorldDef *def, wfResult result)

@@ -9,7 +9,7 @@ static wfResult find_force(wfResult opened, wfForceId id, const wfBlock *b, int3
 {
     if (opened != WF_OK) return opened;
     *index = wfFindSlot(&b->head->forceSlots, b->forceSlots, id.index, id.generation);
-    return *index < 0 ? wfRefuse(b, WF_ERROR_STALE_ID, "id", NULL) : WF_OK;
+    return *index < 0 ? wfRefuseId(b, "id", id.index, id.generation) : WF_OK;
 }
 
 static wfResult change_force(const char *call, wfWorld *world, wfForceId id, wfBlock *b,

@@ -16,7 +16,7 @@ static wfResult find_body(wfResult opened, wfBodyId id, const wfBlock *b, int32_
 {
     if (opened != WF_OK) return opened;
     *index = wfFindSlot(&b->head->bodySlots, b->bodySlots, id.index, id.generation);
-    return *index < 0 ? wfRefuse(b, WF_ERROR_STALE_ID, "id", NULL) : WF_OK;
+    return *index < 0 ? wfRefuseId(b, "id", id.index, id.generation) : WF_OK;
 }
 
 wfResult wfOpenBody(const wfWorld *world, wfBodyId id, wfBlock *b, int32_t *index)
@@ -62,7 +62,7 @@ static wfResult find_shape(wfResult opened, wfShapeId id, const wfBlock *b,
 {
     if (opened != WF_OK) return opened;
     *index = wfFindSlot(&b->head->shapeSlots, b->shapeSlots, id.index, id.generation);
-    return *index < 0 ? wfRefuse(b, WF_ERROR_STALE_ID, "id", NULL) : WF_OK;
+    return *index < 0 ? wfRefuseId(b, "id", id.index, id.generation) : WF_OK;
 }
 
 wfResult wfOpenShape(const wfWorld *world, wfShapeId id, wfBlock *b, int32_t *index)

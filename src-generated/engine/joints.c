@@ -11,8 +11,8 @@ static wfResult find_joint(wfResult opened, wfJointId id, const wfBlock *b, wfJo
 {
     if (opened != WF_OK) return opened;
     *j = wfJointsOf(b);
-    *index = wfFindSlot(&b->head->jointSlots, j->slots, id.index, id.generation);
-    return *index < 0 ? wfRefuse(b, WF_ERROR_STALE_ID, "id", NULL) : WF_OK;
+    *index = wfFindSlot(&b->head->jointSlots, b->jointSlots, id.index, id.generation);
+    return *index < 0 ? wfRefuseId(b, "id", id.index, id.generation) : WF_OK;
 }
 
 static wfResult open_joint(const wfWorld *world, wfJointId id, wfBlock *b, wfJoints *j,
@@ -31,26 +31,35 @@ static wfResult check_world_joint(const wfBlock *b, const wfJoint *j)
 {
     if (j == NULL) return wfRefuse(b, WF_ERROR_NULL, "joint", NULL);
     wfResult result = wfCheckFields(b, "joint.", 0, j, wfJointNumbers, wfJointNumberCount);
-    if (result == WF_OK && j->a == j->b)
-        return wfRefuse(b, WF_ERROR_RANGE, "joint.b", "it joins a body with itself");
-    if (result == WF_OK && j->lower > j->upper)
-        return wfRefuse(b, WF_ERROR_RANGE, "joint.lower", "it is above joint.upper");
-    if (result == WF_OK && (j->kind < 0 || j->kind >= wfJointKinds))
-        return wfRefuse(b, WF_ERROR_UNKNOWN, "joint.kind", "wfFindJoint tells it");
-    if (result == WF_OK && j->ratio == 0)
-        return wfRefuse(b, WF_ERROR_RANGE, "joint.ratio", "it must not be 0");
-    bool tooth = result == WF_OK && j->ratio < 0 && wfJointTable[j->kind].track != NULL;
-    if (result == WF_OK)
-        result = wfRefuse(b, wfCheckJoint(j), tooth ? "joint.ratio" : "joint.axis",
-                          tooth ? "a ratchet's tooth is above 0"
-                                : "it must have the length 1");
+    if (result != WF_OK) return result;
+    if (j->a == j->b)
+        return wfRefuseValue(b, WF_ERROR_RANGE, "joint.b", j->b,
+                             "it joins a body with itself");
+    if (j->lower > j->upper)
+        return wfRefuseValue(b, WF_ERROR_RANGE, "joint.lower", (double)j->lower,
+                             "it is above joint.upper");
+    if (j->kind < 0 || j->kind >= wfJointKinds)
+        return wfRefuseValue(b, WF_ERROR_UNKNOWN, "joint.kind", j->kind,
+                             "wfFindJoint tells it");
+    if (j->ratio == 0)
+        return wfRefuseValue(b, WF_ERROR_RANGE, "joint.ratio", 0, "it must not be 0");
+    bool tooth = j->ratio < 0 && wfJointTable[j->kind].track != NULL;
+    wfReal axis = wfLength(j->axis), way = wfLength(j->groundA);
+    bool unit = wfAbs(axis - 1) <= WF_R(0.001);
+    result = wfRefuseValue(b, wfCheckJoint(j), tooth ? "joint.ratio"
+                           : unit ? "joint.groundA" : "joint.axis",
+                           (double)(tooth ? j->ratio : unit ? way : axis),
+                           tooth ? "a ratchet's tooth is above 0"
+                                 : "its length, which must be 1");
     if (result != WF_OK) return result;
     int32_t high = b->head->bodySlots.high;
-    bool first = j->a >= high || !b->alive[j->a];
-    if (first || j->b >= high || !b->alive[j->b])
-        return wfRefuse(b, WF_ERROR_STALE_ID, first ? "joint.a" : "joint.b", NULL);
+    if (j->a >= high || !b->alive[j->a])
+        return wfRefuseValue(b, WF_ERROR_STALE_ID, "joint.a", j->a, "no such body");
+    if (j->b >= high || !b->alive[j->b])
+        return wfRefuseValue(b, WF_ERROR_STALE_ID, "joint.b", j->b, "no such body");
     bool steps = wfSolverTable[b->head->solver].step != NULL;
-    return steps ? WF_OK : wfRefuse(b, WF_ERROR_SOLVER, "solver", NULL);
+    return steps ? WF_OK
+                 : wfRefuseValue(b, WF_ERROR_SOLVER, "solver", b->head->solver, NULL);
 }
 
 /* join two bodies */
@@ -63,8 +72,8 @@ wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
     if (kind == NULL || out == NULL)
         return wfRefuse(&block, WF_ERROR_NULL, kind == NULL ? "kind" : "out", NULL);
     int32_t i = wfBodyIndex(world, a), k = wfBodyIndex(world, b);
-    if (i < 0 || k < 0)
-        return wfRefuse(&block, WF_ERROR_STALE_ID, i < 0 ? "a" : "b", NULL);
+    if (i < 0) return wfRefuseId(&block, "a", a.index, a.generation);
+    if (k < 0) return wfRefuseId(&block, "b", b.index, b.generation);
     int row = wfFindJoint(kind);
     if (row < 0)
         return wfRefuse(&block, WF_ERROR_UNKNOWN, "kind", "wfJointTable has their names");
@@ -72,7 +81,9 @@ wfResult wfDefineJoint(wfWorld *world, const char *kind, wfBodyId a, wfBodyId b,
     if (result == WF_OK) result = wfCheckVector(&block, "anchorB.", anchorB);
     if (result == WF_OK) result = wfCheckVector(&block, "axis.", axis);
     if (result != WF_OK) return result;
-    if (i == k) return wfRefuse(&block, WF_ERROR_RANGE, "b", "it joins a body with itself");
+    if (i == k)
+        return wfRefuseValue(&block, WF_ERROR_RANGE, "b", b.index,
+                             "it joins a body with itself");
     /* let the axis be left out */
     if (axis.x == 0 && axis.y == 0) axis.x = !wfJointTable[row].slides;
     if (!(wfLength(axis) > 0))
