@@ -10,8 +10,8 @@ typedef struct play { game_memory memory; frame_buffer buffer; game_file file; g
 
 static inline play play_open(int width, int height, float scale)
 {
-    play p = { .memory = { calloc(1, GAME_PERMANENT_SIZE), GAME_PERMANENT_SIZE, calloc(1, GAME_TRANSIENT_SIZE), GAME_TRANSIENT_SIZE,
-                           NULL, NULL, NULL, NULL, 0, 0, 0, NULL },
+    play p = { .memory = { .permanent = calloc(1, GAME_PERMANENT_SIZE), .permanent_size = GAME_PERMANENT_SIZE,
+                           .transient = calloc(1, GAME_TRANSIENT_SIZE), .transient_size = GAME_TRANSIENT_SIZE },
                .buffer = { calloc((size_t)(width * height), 4), width, height, width, scale } };
     assert_true(p.memory.permanent && p.memory.transient && p.buffer.pixels);
     return p;

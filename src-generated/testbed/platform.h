@@ -30,13 +30,14 @@ typedef struct game_memory {
     size_t permanent_size;      /* bytes; GAME_PERMANENT_SIZE or more */
     void *transient;            /* of use within one call only */
     size_t transient_size;      /* bytes; GAME_TRANSIENT_SIZE or more */
-    const char *text, *text_name; /* a scene that the user brought, its file; or NULL */
+    const char *text;           /* a scene as text that the user brought along, or NULL */
     game_file *file;            /* of sec:platform-files, or NULL: there are no files */
     double (*now)(void);        /* s, since whenever; NULL: no clock. To measure only */
     const char *news;           /* from the platform, for the line of state; or NULL */
     int32_t still; /* the game's: 1: without input the next picture is this one */
     int32_t cursor;             /* the game's: what the mouse looks like, GAME_CURSOR_... */
     int32_t dark;               /* the game's: 1: light on dark */
+    const char *text_name;      /* of the text's file, or NULL */
     wfWorkers workers;          /* threads for steps and pixels; run NULL: there are none */
 } game_memory;
 
