@@ -90,7 +90,7 @@ endif
 $(OUT)/one.wasm: $(TESTBED)
 	@$(LINK) --strip-all $(TESTBED) -lc $(RT) -o $@
 $(OUT)/%.wasm.lzma: $(OUT)/%.wasm
-	@xz -c --format=lzma --lzma1=preset=9e,pb=0,nice=273 $< > $@
+	@xz -c --format=lzma --lzma1=preset=9e,pb=0,nice=96 $< > $@
 $(OUT)/live-%.js: $(OUT)/%.wasm.lzma
 	@{ printf 'WEFT_LIVE("%s",%d,"' $* $$(wc -c < $(OUT)/$*.wasm); base64 -w0 $<; printf '");\n'; } > $@
 	@echo "web: $*: $$(wc -c < $(OUT)/$*.wasm) bytes, $$(wc -c < $<) packed"
