@@ -14,7 +14,9 @@ cd "$t" && git init -q . && git add -A || exit 1
 chapter=$(ls chapters/engine/*-soft.nw)
 has() { tests/recorded has parts; }
 has && fail "without a record parts has passed"
+mkdir -p build/check; echo 'some other line' > build/check/parts.log; echo '127 engines, 0 failed' >> build/check/parts.log
 tests/recorded note parts; has || fail "what was noted isn't known"
+[ "$(tests/recorded said parts)" = '127 engines, 0 failed' ] || fail "what the step said is lost"
 line=$(grep -nm1 '^[A-Z]' "$chapter" | cut -d: -f1); sed -i "${line}s/$/ A word more./" "$chapter"; has || fail "a word of prose makes parts run"
 keeps() { fail "parts is not run, though $1"; }
 change() { local was; was=$(cat "$2"; echo x); eval "$3"; ! has || keeps "$1"; printf '%s' "${was%x}" > "$2"; has || fail "$2 as it was isn't known"; }
