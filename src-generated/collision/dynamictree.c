@@ -515,7 +515,8 @@ void wfTreeQuery(const wfProxies *in, const void *index, wfRect area, wfVisitFn 
     wfTree t = wfTreeOpen(index);
     for (int32_t n = t.head->root; n != WF_TREE_NONE;) {
         const wfTreeNode *node = &t.nodes[n];
-        bool leaf = is_leaf(node), met = wfRectOverlap(node->box, area);
+        bool asked = !in->stillAsked || node->movers < node->leaves;
+        bool leaf = is_leaf(node), met = asked && wfRectOverlap(node->box, area);
         if (met && !leaf) {
             n = node->left;
             continue;

@@ -6,8 +6,7 @@
 /* colour constraints */
 static uint32_t taken_at(const wfBodyState *state, const uint32_t *taken, int32_t body)
 {
-    bool moves = state[body].invMass > 0 || state[body].invInertia > 0;
-    return moves ? taken[body] : 0;
+    return wfGivesWay(&state[body]) ? taken[body] : 0;
 }
 
 static int32_t first_free(uint32_t taken)

@@ -36,11 +36,6 @@ static bool has_trait(const wfSubsteps *s, int32_t contact, int32_t trait)
     return (s->trait[s->order[contact]] & trait) != 0;
 }
 
-static bool is_ground(const wfBodyState *b)
-{
-    return b->invMass == 0 && b->invInertia == 0;
-}
-
 static void list_touches(Search *q)
 {
     const wfSolve *in = q->s->in;
@@ -99,7 +94,7 @@ static bool grow(Search *q, int32_t root)
             wfPair c = ends_of(q->s, e / 2);
             int32_t body = e % 2 == 0 ? c.b : c.a, known = q->limb[body];
             if (e / 2 == limb->contact || known > at) continue;
-            bool fixed = is_ground(&q->s->in->state[body]);
+            bool fixed = !wfGivesWay(&q->s->in->state[body]);
             bool well = fixed || known >= 0 ? add_link(q, e / 2)
                                             : add_limb(q, e / 2, body, at);
             if (!well) return false;
@@ -118,7 +113,7 @@ static bool close_loops(Search *q, int32_t root)
     for (int32_t i = 0; i < q->loops; i++) {
         wfPair c = ends_of(q->s, q->link[i]);
         int32_t a = q->limb[c.a], b = q->limb[c.b];
-        bool upside = is_ground(&q->s->in->state[c.b]);
+        bool upside = !wfGivesWay(&q->s->in->state[c.b]);
         wfLimb *link = &t->limb[t->count++];
         put_limb(link, q->link[i], upside ? c.a : c.b, upside || a < 0 ? -1 : a);
         link->over = upside ? a : b;
@@ -200,7 +195,7 @@ static void try_root(Search *q, int32_t contact)
 {
     wfPair c = ends_of(q->s, contact);
     const wfBodyState *state = q->s->in->state;
-    bool onA = is_ground(&state[c.a]), onB = is_ground(&state[c.b]);
+    bool onA = !wfGivesWay(&state[c.a]), onB = !wfGivesWay(&state[c.b]);
     int32_t root = q->t->count, body = onA ? c.b : c.a;
     if (onA == onB || q->limb[body] != NOT_SEEN) return;
     if (!has_trait(q->s, contact, WF_TRAIT_TOUCHES)) return;

@@ -382,7 +382,7 @@ static void number_machines(wfMatrix *m, const wfJointSet *set, const wfSolve *i
     for (int32_t n = 0; n < m->bodies; n++) m->first[m->body[n]] = m->body[n];
     for (int32_t n = 0; n < m->ordered; n++) {
         const wfJoint *j = &set->joints[m->order[n]];
-        if (!wfJointMoves(&in->state[j->a]) || !wfJointMoves(&in->state[j->b])) continue;
+        if (!wfGivesWay(&in->state[j->a]) || !wfGivesWay(&in->state[j->b])) continue;
         int32_t a = root_of(m->first, j->a), b = root_of(m->first, j->b);
         m->first[a > b ? a : b] = a > b ? b : a;
     }
@@ -400,7 +400,7 @@ static int32_t machine_of(const wfMatrix *m, const wfJointSet *set, const wfSolv
                           int32_t i)
 {
     const wfJoint *j = &set->joints[i];
-    return m->first[wfJointMoves(&in->state[j->a]) ? j->a : j->b];
+    return m->first[wfGivesWay(&in->state[j->a]) ? j->a : j->b];
 }
 
 /* Twice the kinetic energy of body b with v and, as a scalar product, u. */
@@ -447,9 +447,9 @@ static void note_driven(wfMatrix *m, const wfJointSet *set, const wfSolve *in)
     for (int32_t n = 0; n < m->bodies; n++) m->rest[m->body[n]] = 0;
     for (int32_t n = 0; n < m->ordered; n++) {
         const wfJoint *j = &set->joints[m->order[n]];
-        const wfBodyState *held = &in->state[wfJointMoves(&in->state[j->a]) ? j->b : j->a];
+        const wfBodyState *held = &in->state[wfGivesWay(&in->state[j->a]) ? j->b : j->a];
         bool moved = wfLengthSq(held->v) > 0 || held->w * held->w > 0;
-        if (moved && !wfJointMoves(held))
+        if (moved && !wfGivesWay(held))
             m->rest[machine_of(m, set, in, m->order[n])] = WF_EXACT_DRIVEN;
     }
 }
@@ -715,7 +715,7 @@ static bool judge_moves(wfMatrix *m, const wfJointSet *set, const wfSolve *in, w
         wfJointGeometry end = wfSee(j, &m->way[j->a].end, &m->way[j->b].end);
         wfJointRow then[WF_JOINT_ROWS];
         wfJointTable[j->kind].build(j, &end, then);
-        int32_t b = wfJointMoves(&in->state[j->a]) ? j->a : j->b;
+        int32_t b = wfGivesWay(&in->state[j->a]) ? j->a : j->b;
         wfJointMotion *sum = &m->next[root_of(m->first, b)];
         for (int32_t k = 0; k < w->holds; k++) {
             wfReal was = w->row[w->hold[k]].error, wrong = was - m->part[i][k];
@@ -1087,8 +1087,8 @@ wfResult wfExactJoints(wfJointSet *set, const wfSolve *in, wfPool *scratch)
 /* A body of the joint that can move, or -1. */
 static int32_t mover_of(const wfJoint *j, const wfBodyState *state)
 {
-    return wfIsBroken(j) ? -1 : wfJointMoves(&state[j->a]) ? j->a
-         : wfJointMoves(&state[j->b]) ? j->b : -1;
+    return wfIsBroken(j) ? -1 : wfGivesWay(&state[j->a]) ? j->a
+         : wfGivesWay(&state[j->b]) ? j->b : -1;
 }
 
 static void join_machines(const wfJointSet *set, const wfSolve *in, int32_t *parent)
@@ -1096,8 +1096,8 @@ static void join_machines(const wfJointSet *set, const wfSolve *in, int32_t *par
     for (int32_t b = 0; b < in->bodyCount; b++) parent[b] = b;
     for (int32_t i = 0; i < set->count; i++) {
         const wfJoint *j = &set->joints[i];
-        if (wfIsBroken(j) || !wfJointMoves(&in->state[j->a])) continue;
-        if (!wfJointMoves(&in->state[j->b])) continue;
+        if (wfIsBroken(j) || !wfGivesWay(&in->state[j->a])) continue;
+        if (!wfGivesWay(&in->state[j->b])) continue;
         int32_t a = root_of(parent, j->a), b = root_of(parent, j->b);
         parent[a > b ? a : b] = a > b ? b : a;
     }
@@ -1116,7 +1116,7 @@ static bool is_cheap(wfMatrix *m, const wfJointSet *set, const wfSolve *in, int3
     for (int32_t n = 0; n < 2 * count; n++) {
         const wfJoint *j = &set->joints[list[n / 2]];
         int32_t b = n % 2 ? j->b : j->a;
-        if (wfJointMoves(&in->state[b])) blocks += degree[b]++;
+        if (wfGivesWay(&in->state[b])) blocks += degree[b]++;
     }
     for (int32_t n = 0; n < count; n++)
         degree[set->joints[list[n]].a] = degree[set->joints[list[n]].b] = 0;

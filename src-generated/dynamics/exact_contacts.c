@@ -811,10 +811,7 @@ static void part_bodies(Exact *e)
 }
 
 /* make the system of a step */
-static bool can_move(const wfSolve *in, int32_t i)
-{
-    return in->state[i].invMass > 0 || in->state[i].invInertia > 0;
-}
+static bool can_move(const wfSolve *in, int32_t i) { return wfGivesWay(&in->state[i]); }
 
 static bool join_node(Exact *e, int32_t i)
 {

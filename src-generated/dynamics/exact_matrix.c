@@ -77,7 +77,7 @@ bool wfJoinNeighbours(wfMatrix *m, const wfJoint *joints, const wfBodyState *sta
     for (int32_t n = 0; room && n < 2 * count; n++) {
         int32_t i = list[n / 2], end = 2 * i + n % 2;
         int32_t body = n % 2 ? joints[i].b : joints[i].a;
-        if (wfIsBroken(&joints[i]) || !wfJointMoves(&state[body])) continue;
+        if (wfIsBroken(&joints[i]) || !wfGivesWay(&state[body])) continue;
         for (int32_t k = first[body]; room && k >= 0; k = next[k])
             room = k / 2 == i || join_up(m, i, k / 2) >= 0;
         next[end] = first[body];

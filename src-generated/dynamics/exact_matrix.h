@@ -64,11 +64,6 @@ typedef struct wfMatrix {
     bool pushed;                /* contacts have pushed since we looked along the way */
     bool rigid;                 /* the factors are of the lines with the true inertia */
 } wfMatrix;
-static inline bool wfJointMoves(const wfBodyState *s)
-{
-    return s->invMass > 0 || s->invInertia > 0;
-}
-
 /* The share of K by which the rows of joint i give: more in a heap. */
 static inline wfReal wfGiveOf(const wfJointSet *set, int32_t i)
 {

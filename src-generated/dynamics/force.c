@@ -7,7 +7,7 @@
 static bool feels(const wfBodyView *bodies, int32_t i)
 {
     if (i < 0 || i >= bodies->count || (bodies->alive && !bodies->alive[i])) return false;
-    return bodies->state[i].invMass > 0 || bodies->state[i].invInertia > 0;
+    return wfGivesWay(&bodies->state[i]);
 }
 
 static int32_t first_of(const wfForce *f) { return f->a < 0 ? 0 : f->a; }

@@ -721,8 +721,6 @@ static bool has_swung(const wfJointWork *w, const wfJointRow *before, const wfJo
 }
 
 /* find machines that lie in a heap */
-static bool can_move(const wfBodyState *s) { return s->invMass > 0 || s->invInertia > 0; }
-
 static int32_t machine_of(int32_t *parent, int32_t b)
 {
     while (parent[b] != b) b = parent[b] = parent[parent[b]];
@@ -742,7 +740,7 @@ static void count_joints(wfJointSet *set, const wfSolve *in)
 {
     for (int32_t i = 0; i < set->count; i++) {
         const wfJoint *j = &set->joints[i];
-        bool a = can_move(&in->state[j->a]), b = can_move(&in->state[j->b]);
+        bool a = wfGivesWay(&in->state[j->a]), b = wfGivesWay(&in->state[j->b]);
         if (wfIsBroken(j) || !wfJointTable[j->kind].holds || !(a || b)) continue;
         int32_t one = machine_of(set->parent, a ? j->a : j->b);
         int32_t two = machine_of(set->parent, b ? j->b : j->a);
@@ -816,8 +814,8 @@ static void find_woven(wfJointSet *set, const wfSolve *in, bool first, wfReal t)
             set->tally[set->joints[i].a]++, set->tally[set->joints[i].b]++;
     for (int32_t i = 0; i < set->count; i++) {
         int32_t a = set->joints[i].a, b = set->joints[i].b;
-        bool shares = (can_move(&in->state[a]) && set->tally[a] > 1)
-                   || (can_move(&in->state[b]) && set->tally[b] > 1);
+        bool shares = (wfGivesWay(&in->state[a]) && set->tally[a] > 1)
+                   || (wfGivesWay(&in->state[b]) && set->tally[b] > 1);
         set->work[i].woven = set->work[i].fresh = shares && has_spring(set, i);
     }
 }

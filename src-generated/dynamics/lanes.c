@@ -96,8 +96,6 @@ static void prepare_points(const wfSubsteps *s, const wfContactSimd *q, wfLanes 
     p->massT = mass_in_lanes(q, mass, p->tA, p->tB);
 }
 
-static bool moves(const wfBodyState *b) { return b->invMass > 0 || b->invInertia > 0; }
-
 static void prepare_bundle(const wfSubsteps *s, wfContactSimd *q)
 {
     const wfContact *c = s->in->contacts;
@@ -109,8 +107,8 @@ static void prepare_bundle(const wfSubsteps *s, wfContactSimd *q)
         const wfContact *one = &c[q->of[i]];
         q->a[i] = one->a;
         q->b[i] = one->b;
-        if (i < q->used && moves(&state[one->a])) q->movesA |= 1 << i;
-        if (i < q->used && moves(&state[one->b])) q->movesB |= 1 << i;
+        if (i < q->used && wfGivesWay(&state[one->a])) q->movesA |= 1 << i;
+        if (i < q->used && wfGivesWay(&state[one->b])) q->movesB |= 1 << i;
         *wfLane(&q->nx, i) = one->manifold.normal.x;
         *wfLane(&q->ny, i) = one->manifold.normal.y;
         *wfLane(&q->friction, i) = one->friction;
@@ -521,5 +519,21 @@ void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepar
         out->p[k].now = wfLaneOf(&p->now, lane);
         out->p[k].normal = wfLaneOf(&p->normal, lane);
         out->p[k].tangent = wfLaneOf(&p->tangent, lane);
+    }
+}
+
+void wfUnpackNormals(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out)
+{
+    const wfContactSimd *q = &s->bundle[bundle];
+    out->a = q->a[lane], out->b = q->b[lane], out->count = q->points;
+    out->n = wfV2(wfLaneOf(&q->nx, lane), wfLaneOf(&q->ny, lane));
+    out->firm = wfLaneOf(&q->firm, lane);
+    for (int32_t k = 0; k < q->points; k++) {
+        const wfSimdPoint *p = &s->point[q->first + k];
+        out->p[k].now = wfLaneOf(&p->now, lane);
+        out->p[k].normal = wfLaneOf(&p->normal, lane);
+        out->p[k].massN = wfLaneOf(&p->massN, lane);
+        out->p[k].nA = wfLaneOf(&p->nA, lane);
+        out->p[k].nB = wfLaneOf(&p->nB, lane);
     }
 }

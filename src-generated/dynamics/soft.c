@@ -184,7 +184,7 @@ static bool part_run(const Parting *part, const wfSubsteps *s, const wfRun *run)
     for (int32_t i = run->bundle; i < run->bundleEnd && part->bundles; i++)
         for (int32_t n = wfSimdDeep(s, i, &part->deep) - 1; n >= 0; n--) {
             wfPrepared one;
-            wfUnpackContact(s, i, n, &one);
+            wfUnpackNormals(s, i, n, &one);
             if (part_contact(part, &one, -WF_HUGE)) some = true;
         }
     for (int32_t i = run->one; i < run->oneEnd; i++) {

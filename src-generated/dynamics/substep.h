@@ -82,6 +82,9 @@ wfResult wfPackLanes(wfSubsteps *s);
 size_t wfLaneScratch(int32_t contacts);     /* what bundles take beyond wfSubstepScratch */
 /* A contact of a bundle as it would be alone. */
 void wfUnpackContact(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out);
+/* Of it, only what acts along the normal: bodies, normal, firmness, and of each point
+ * now, normal, massN, nA, nB. */
+void wfUnpackNormals(const wfSubsteps *s, int32_t bundle, int32_t lane, wfPrepared *out);
 void wfWarmSimdContacts(const wfSubsteps *s, const wfRun *run, wfReal share);
 void wfFindSimdGaps(wfSubsteps *s, const wfRun *run);
 void wfSweepSimdContacts(const wfSubsteps *s, const wfRun *run, wfCase cases[2][WF_CASES],

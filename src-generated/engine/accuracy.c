@@ -372,7 +372,7 @@ static void mark_rest(Trial *t, int32_t substeps)
 {
     wfBodyView b = wfWorldBodies(&t->coarse);
     for (int32_t i = 0; i < b.count; i++) {
-        bool moves = b.state[i].invMass > 0 || b.state[i].invInertia > 0;
+        bool moves = wfGivesWay(&b.state[i]);
         if (b.alive[i] && moves && b.props[i].substeps == 0) mark(t, i, substeps);
     }
     /* let those who are joined keep all substeps */

@@ -12,10 +12,7 @@ typedef struct Apart {
     wfTold *told;              /* of each contact, or NULL */
 } Apart;
 
-static bool is_moved(const struct wfStep *s, int32_t i)
-{
-    return s->state[i].invMass > 0 || s->state[i].invInertia > 0;
-}
+static bool is_moved(const struct wfStep *s, int32_t i) { return wfGivesWay(&s->state[i]); }
 
 bool wfStepsApart(const struct wfStep *s)
 {

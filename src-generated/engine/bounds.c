@@ -7,7 +7,7 @@ uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k)
 {
     int32_t i = b->bodyOfShape[k];
     if (i < 0 || !wfIsEnabled(b, i)) return 0;
-    bool moves = state[i].invMass > 0 || state[i].invInertia > 0;
+    bool moves = wfGivesWay(&state[i]);
     bool kinematic = b->props[i].type == WF_KINEMATIC, seen = b->head->sensorCount > 0;
     /* see whether kinematic bodies are looked for */
     seen = seen || (b->head->sleepingCount > 0 && wfCanMove(&state[i]));
@@ -40,8 +40,7 @@ void wfBoundBody(wfBlock *b, int32_t i)
 
 bool wfHasMass(const struct wfStep *s, int32_t k)
 {
-    const wfBodyState *state = &s->state[s->b.bodyOfShape[k]];
-    return state->invMass > 0 || state->invInertia > 0;
+    return wfGivesWay(&s->state[s->b.bodyOfShape[k]]);
 }
 
 wfProxies wfProxiesOf(const wfBlock *b, const wfRect *bounds, const uint8_t *flags)

@@ -26,7 +26,7 @@ static wfSweep sweep_of(const struct wfStep *s, int32_t i)
 
 static bool can_change(const struct wfStep *s, int32_t i)
 {
-    return s->state[i].invMass > 0 || s->state[i].invInertia > 0;
+    return wfGivesWay(&s->state[i]);
 }
 
 static wfRect box_of(const wfSweptBody *f)
@@ -301,12 +301,20 @@ static Near look_from(struct wfStep *s, const wfSweptBody *f, wfReal t, int32_t 
                    .alone = wfIsCrowd(&s->b) && can_change(s, f->body) };
 }
 
+/* Is what can change all that counts as moving?  With sensors or sleepers, what moves by
+   itself counts too (wfFlagShape). */
+static bool marks_only_masses(const wfHeader *head)
+{
+    return head->sensorCount == 0 && head->sleepingCount == 0;
+}
+
 static wfResult find_near(struct wfStep *s, const wfSweptBody *f, wfReal t, int32_t *list,
                           Near *near)
 {
     wfRect area = f->box;
     *near = look_from(s, f, t, list);
     wfProxies proxies = wfProxiesOf(&s->b, s->bounds, s->flags);
+    proxies.stillAsked = near->alone && marks_only_masses(s->b.head);
     wfResult result = wfQueryIndex(s->b.head->broadPhase, &proxies, s->index,
                                    wfRectGrow(area, s->slack), note_near, near);
     if (!near->alone || s->driven) note_flights(near, area);

@@ -381,8 +381,8 @@ static uint64_t fingerprint(const struct wfStep *s)
         const wfBodyState *a = &s->state[j->a], *b = &s->state[j->b];
         uint64_t who = (uint64_t)j->a << 32 | (uint64_t)j->b;
         uint64_t how = (j->flags & WF_JOINT_BROKEN ? 1u : 0u)
-                     | (a->invMass > 0 || a->invInertia > 0 ? 2u : 0u)
-                     | (b->invMass > 0 || b->invInertia > 0 ? 4u : 0u);
+                     | (wfGivesWay(a) ? 2u : 0u)
+                     | (wfGivesWay(b) ? 4u : 0u);
         sum = (sum ^ who) * 0x9E3779B97F4A7C15u;
         sum = ((sum ^ sum >> 29) + how) * 0xBF58476D1CE4E5B9u;
         sum ^= sum >> 32;

@@ -100,9 +100,7 @@ wfResult wfPlaceSleeping(struct wfStep *s)
 
 bool wfMovesNow(const struct wfStep *s, int32_t i)
 {
-    const wfBodyState *b = &s->state[i];
-    if (!s->present[i]) return false;
-    return b->invMass > 0 || b->invInertia > 0 || b->v.x != 0 || b->v.y != 0 || b->w != 0;
+    return s->present[i] && wfCanMove(&s->state[i]);
 }
 
 void wfLeaveOutDisabled(struct wfStep *s)

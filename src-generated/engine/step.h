@@ -112,7 +112,7 @@ wfReal wfSpeculativeMarginOfPair(const struct wfStep *s, wfPair p);
 /* Does anything move it, or could it? */
 static WF_ONE_COPY bool wfCanMove(const wfBodyState *s)
 {
-    return s->invMass > 0 || s->invInertia > 0 || s->v.x != 0 || s->v.y != 0 || s->w != 0;
+    return wfGivesWay(s) || s->v.x != 0 || s->v.y != 0 || s->w != 0;
 }
 /* The flags of a shape, and its box where the body is placed. */
 uint8_t wfFlagShape(const wfBlock *b, const wfBodyState *state, int32_t k);

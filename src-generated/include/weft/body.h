@@ -27,6 +27,12 @@ typedef struct wfBodyState {
 } wfBodyState;
 WF_STATIC_ASSERT(sizeof(wfBodyState) == 8 * sizeof(wfReal), "no padding: two fill a line");
 
+/* Can an impulse change its velocity? A wall gives way to none. */
+static inline bool wfGivesWay(const wfBodyState *body)
+{
+    return body->invMass > 0 || body->invInertia > 0;
+}
+
 typedef struct wfBodyForces {
     wfVec2 force;           /* N: the sum of all forces                                   */
     wfReal torque;          /* N m: the sum of all torques about the centre of mass       */

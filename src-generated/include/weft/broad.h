@@ -47,6 +47,7 @@ typedef struct wfProxies {
     const int32_t *owners;        /* two proxies of the same owner are never a pair */
     wfPairFilterFn *custom;
     const void *context;          /* what custom gets to see */
+    bool stillAsked;              /* a query may leave out what moves */
 } wfProxies;
 
 /* Where the pairs go.  The caller gives pairs and capacity; a broad phase sets the rest.
