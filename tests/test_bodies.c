@@ -108,7 +108,7 @@ TEST(the_type_decides_what_moves)
     assert_ok(wfSetBodyType(&s, &p, WF_KINEMATIC));
     assert_true(s.invMass == 0 && s.invInertia == 0 && s.v.x == 1 && s.v.y == 2 && s.w == 3 && p.mass == 2 && p.inertia == 4);
     assert_ok(wfSetMass(&s, &p, 5, 10));                                  /* remembered, but not used                */
-    assert_true(s.invMass == 0 && s.invInertia == 0);
+    assert_true(s.invMass == 0 && s.invInertia == 0 && !wfGivesWay(&s));
     wfApplyImpulse(&s, wfV2(9, 9), wfV2(1, 0));
     wfApplyAngularImpulse(&s, 9);
     assert_true(s.v.x == 1 && s.v.y == 2 && s.w == 3);
@@ -116,7 +116,9 @@ TEST(the_type_decides_what_moves)
     assert_ok(wfSetBodyType(&s, &p, WF_STATIC));
     assert_true(s.v.x == 0 && s.v.y == 0 && s.w == 0 && s.invMass == 0 && s.invInertia == 0);
     assert_ok(wfSetBodyType(&s, &p, WF_DYNAMIC));
-    assert_true(s.invMass == 1 / (wfReal)5 && s.invInertia == 1 / (wfReal)10);
+    assert_true(s.invMass == 1 / (wfReal)5 && s.invInertia == 1 / (wfReal)10 && wfGivesWay(&s));
+    s.invMass = 0;                                                        /* turns about a nail                      */
+    assert_true(wfGivesWay(&s));
     assert_int_equal(p.type, WF_DYNAMIC);
     assert_result(WF_ERROR_UNKNOWN, wfSetBodyType(&s, &p, WF_BODY_TYPES));
     assert_result(WF_ERROR_UNKNOWN, wfSetBodyType(&s, &p, (wfBodyType)-1));

@@ -9,6 +9,21 @@ static wfWorld empty(void)
     return world_with(&def);
 }
 
+TEST(an_id_of_a_force_is_good_until_it_is_removed)
+{
+    wfWorld w = empty();
+    wfForce drag = wfDrag(0, 1);
+    wfForceId first, second;
+    assert_ok(wfAddForceToWorld(&w, &drag, &first));
+    assert_true(wfForceIsValid(&w, first) && !wfForceIsValid(NULL, first) && !wfForceIsValid(&w, (wfForceId){ 0, 0 }));
+    assert_ok(wfRemoveForceFromWorld(&w, first));
+    assert_ok(wfAddForceToWorld(&w, &drag, &second));
+    assert_int_equal(second.index, first.index);
+    assert_true(wfForceIsValid(&w, second) && !wfForceIsValid(&w, first));
+    assert_int_equal(wfForceAt(&w, 0).generation, second.generation);
+    wfDestroyWorld(&w);
+}
+
 /* ------------------------------------------------------------------------------ frames */
 
 TEST(a_world_keeps_the_time_of_the_frames)

@@ -171,7 +171,9 @@ TEST(contacts_and_joints_of_a_body)
     at = wfNextJoint(&w, id[4], at);
     assert_int_equal(at.index, rod[4].index);
     assert_int_equal(wfNextJoint(&w, id[4], at).index, 0);
+    assert_true(wfJointIsValid(&w, rod[3]) && wfJointIsValid(&w, rod[4]) && !wfJointIsValid(&w, (wfJointId){ 0, 0 }) && !wfJointIsValid(NULL, rod[3]));
     assert_ok(wfRemoveBodyFromWorld(&w, id[4]));
+    assert_true(!wfJointIsValid(&w, rod[3]) && !wfJointIsValid(&w, rod[4]) && wfJointIsValid(&w, rod[2]));      /* they went with their body */
     assert_int_equal(wfNextJoint(&w, id[4], (wfJointId){ 0, 0 }).index, 0);
     assert_null(wfNextContact(&w, id[4], NULL));
     wfDestroyWorld(&w);

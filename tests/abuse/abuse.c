@@ -281,12 +281,12 @@ static void check_lists(const Session *s, const wfWorld *w)
     }
     for (int k = 0; k < s->joints.count; k++) {
         wfJoint j;
-        MUST((wfGetJoint(w, (wfJointId){ s->joints.list[k].index, s->joints.list[k].generation }, &j) == WF_OK) == s->joints.list[k].alive);
+        wfJointId id = { s->joints.list[k].index, s->joints.list[k].generation };
+        MUST(wfJointIsValid(w, id) == s->joints.list[k].alive && (wfGetJoint(w, id, &j) == WF_OK) == s->joints.list[k].alive);
         if (s->joints.list[k].alive) MUST(wfBodyAt(w, j.a).index != 0 && wfBodyAt(w, j.b).index != 0 && wfIsFinite(j.impulse[0]));
     }
     for (int k = 0; k < s->forces.count; k++) {
-        wfForce f;
-        MUST((wfGetForce(w, (wfForceId){ s->forces.list[k].index, s->forces.list[k].generation }, &f) == WF_OK) == s->forces.list[k].alive);
+        MUST(wfForceIsValid(w, (wfForceId){ s->forces.list[k].index, s->forces.list[k].generation }) == s->forces.list[k].alive);
     }
     const wfContact *c = wfWorldContacts(w, &n);
     for (int32_t i = 0; i < n; i++) {

@@ -130,6 +130,11 @@ wfResult wfGetJointMotion(const wfWorld *world, wfJointId id, wfReal *coordinate
                           wfReal *speed);
 /* The next joint of a body, after that one (index 0: the first); index 0: no more. */
 wfJointId wfNextJoint(const wfWorld *world, wfBodyId id, wfJointId after);
+static inline bool wfJointIsValid(const wfWorld *world, wfJointId id)
+{
+    wfJoint joint;
+    return wfGetJoint(world, id, &joint) == WF_OK;
+}
 /* What became of fast bodies in the last step. */
 typedef struct wfContinuousReport {
     int32_t bodies;            /* that were followed, since they were fast */
@@ -147,5 +152,10 @@ typedef struct wfSleepCounts {
 wfSleepCounts wfGetSleepCounts(const wfWorld *world);
 /* The force at a place, from 0; index 0 in the id: there is none. */
 wfForceId wfForceAt(const wfWorld *world, int32_t i);
+static inline bool wfForceIsValid(const wfWorld *world, wfForceId id)
+{
+    wfForce force;
+    return wfGetForce(world, id, &force) == WF_OK;
+}
 WF_END_C
 #endif
