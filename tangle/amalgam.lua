@@ -1,6 +1,6 @@
 -- amalgam.lua: the engine as two files, weft.h and weft.c, made from the tangled chapters.
 --   tangle/amalgam SRC OUT        SRC: a tangled tree without #line (src-generated); OUT: where the two files go
--- weft.h is every public header but report.h (C alone) and draw.h (the pen of the book's figures), each once, those first that others include. weft.c is every source of the five
+-- weft.h is every public header but report.h (the report's names) and draw.h (the pen of the book's figures), each once, those first that others include. weft.c is every source of the five
 -- components behind it. Names that are static in two of the sources get the source's name in front.
 local src, out = arg[1], arg[2]
 local function fail(text) io.stderr:write("amalgam: " .. text .. "\n"); os.exit(1) end

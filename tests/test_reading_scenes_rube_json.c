@@ -107,6 +107,24 @@ TEST(what_gives_or_takes_no_part_is_read)
     free(soft);
 }
 
+/* Box2D's own editor writes a spin for every body; of one that never turns it says nothing. */
+TEST(a_spin_of_what_never_turns_is_left_out)
+{
+    char *spun = with(rube, "\"awake\": true", "\"fixedRotation\": true, \"angularVelocity\": 2.5"), *text = NULL;
+    wfTextError e;
+    if (wfTranslateRube(spun, strlen(spun), &text, &e) != WF_OK) fail_msg("%s: %s", e.where, e.what);
+    assert_null(strstr(text, "2.5"));
+    wfWorld world = read_text(text);
+    wfBodyInfo box = info(&world, wfBodyAt(&world, 1));
+    assert_near(box.angularVelocity, 0, 0);
+    assert_int_equal(wfWorldBodies(&world).props[1].fixedRotation, 1);
+    for (int i = 0; i < 60; i++) assert_ok(wfStepWorld(&world));
+    assert_near(info(&world, wfBodyAt(&world, 1)).angle, 1, 0);
+    wfDestroyWorld(&world);
+    wfFreeText(text);
+    free(spun);
+}
+
 TEST(what_would_move_otherwise_is_refused)
 {
     static const struct { const char *from, *to, *where, *what; int line; } wrong[] = {

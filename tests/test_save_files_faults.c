@@ -422,6 +422,7 @@ TEST(numbers_are_written_right)
         memcpy(&x, &positive, sizeof x);
         if (i % 3 == 0) x = (float)(bits >> (bits & 31));
         if (i % 7 == 0) x = (float)(bits >> 24) / 10;
+        if (i % 11 == 0) x = nextafterf((float)pow(10, (int)(bits >> 26) - 32), i % 2 ? 0 : 1e30f);     /* beside a power of ten */
         if (!(x > FLT_MIN) || !isfinite(x)) continue;
         assert_result(WF_ERROR_RANGE, wfSetBodyDamping(&w, b, (wfReal)-x, 0));
         const char *at = strstr(wfLastFault(&w)->text, " is ");

@@ -508,6 +508,10 @@ static const struct { const char *text, *where; int line; wfResult result; const
     { "{ \"weft\": 1,\n\"modules\": [\"shapes\", \"contakts\"] }", "modules[1]", 2, WF_ERROR_UNKNOWN, "`contacts'" },
     { "{ \"weft\": 1, \"modules\": [\"shapes\"], \"bodies\": [ { \"mass\": 1, \"linearDamping\": 1 } ] }", "bodies[0]", 1, WF_ERROR_NO_DAMPING, "damping" },
     { "{ \"weft\": 1, \"modules\": [], \"bodies\": [ { \"mass\": 1,\n\"push\": { \"torque\": 1 } } ] }", "bodies[0].push", 2, WF_ERROR_NO_PUSHES, "PUSHES" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"mass\": 1, \"fixedRotation\": true,\n\"angularVelocity\": 2.5 } ] }", "bodies[0].angularVelocity", 2, WF_ERROR_RANGE,
+      "is 2.5, must be 0 with `fixedRotation': delete one of the two" },
+    { "{ \"weft\": 1, \"bodies\": [ { \"type\": \"kinematic\", \"angularVelocity\": -1, \"fixedRotation\": true } ] }", "bodies[0].angularVelocity", 1,
+      WF_ERROR_RANGE, "is -1, must be 0" },
     { "{ \"weft\": 1, \"pairMaterials\": [ { \"a\": 1 } ] }", "pairMaterials[0]", 1, WF_ERROR_TEXT, "`a' and `b'" },
 };
 

@@ -36,6 +36,10 @@ static wfResult check_body_def(const wfBlock *b, const wfBodyDef *d)
     bool moves = d->velocity.x != 0 || d->velocity.y != 0;
     /* check what else a body is made from */
     moves = moves || d->angularVelocity != 0;
+    if (result == WF_OK && d->fixedRotation && d->angularVelocity != 0)
+        return wfRefuseValue(b, WF_ERROR_RANGE, "def.angularVelocity",
+                             (double)d->angularVelocity,
+                             "must be 0 with fixedRotation: leave one of the two out");
     if (result == WF_OK && d->shape.kind != WF_SHAPE_NONE)
         result = wfRefuse(b, wfCheckShape(&d->shape), "def.shape", NULL);
     if (result == WF_OK && d->type == WF_STATIC && moves)
@@ -99,7 +103,7 @@ static wfResult make_body(const wfBlock *b, const wfBodyDef *d, newBody *out)
     wfTransform origin = wfMakeTransform(d->position, angle);
     out->state.p = wfApply(origin, mass.centre);            /* eq:world-origin */
     out->state.angle = angle;
-    out->state.w = d->fixedRotation ? 0 : d->angularVelocity;
+    out->state.w = d->angularVelocity;
     bool still = d->fixedRotation || !wfHas(b->head, WF_MODULE_ROTATION);
     out->props.fixedRotation = still;
     if (still) mass.inertia = 0;
@@ -240,6 +244,16 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     return WF_OK;
 }
 
+static void give_velocity(wfBlock *b, int32_t i, wfVec2 velocity, wfReal angularVelocity)
+{
+    wfBodyState *s = &b->state[i];
+    bool moved = s->v.x != 0 || s->v.y != 0 || s->w != 0;
+    bool moves = velocity.x != 0 || velocity.y != 0 || angularVelocity != 0;
+    s->v = velocity;
+    s->w = angularVelocity;
+    if (moved != moves || b->props[i].type == WF_DYNAMIC) wfBodyChanged(b, i);
+}
+
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
                            wfReal angularVelocity)
 {
@@ -256,14 +270,12 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     uint32_t modules = angularVelocity != 0 ? WF_MODULE_ROTATION : 0;
     result = wfRequireModules(&b, modules);
     if (result != WF_OK) return result;
+    if (angularVelocity != 0 && b.props[i].fixedRotation)
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "angularVelocity", (double)angularVelocity,
+                             "the body has fixedRotation, must be 0: "
+                             "let it turn by wfSetBodyFixedRotation");
     wfUse(&b, modules);
-    wfBodyState *s = &b.state[i];
-    if (b.props[i].fixedRotation) angularVelocity = 0;
-    bool moved = s->v.x != 0 || s->v.y != 0 || s->w != 0;
-    bool moves = velocity.x != 0 || velocity.y != 0 || angularVelocity != 0;
-    s->v = velocity;
-    s->w = angularVelocity;
-    if (moved != moves || b.props[i].type == WF_DYNAMIC) wfBodyChanged(&b, i);
+    give_velocity(&b, i, velocity, angularVelocity);
     return WF_OK;
 }
 
@@ -397,8 +409,23 @@ wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal an
     const wfBodyState *s = &b.state[i];
     wfVec2 to = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
     wfReal turn = wfWrapAngle(angle - s->angle);
-    wfVec2 way = wfSub(to, s->p);
-    return wfSetBodyVelocity(world, id, wfScale(1 / seconds, way), turn / seconds);
+    /* refuse to turn what never turns */
+    if (b.props[i].fixedRotation) {
+        if (wfAbs(turn) > 4 * WF_EPSILON * (1 + wfAbs(angle)))
+            return wfRefuseValue(&b, WF_ERROR_RANGE, "angle", (double)angle,
+                "the body has fixedRotation: give its own angle, "
+                "or let it turn by wfSetBodyFixedRotation");
+        turn = 0;
+    }
+    wfVec2 velocity = wfScale(1 / seconds, wfSub(to, s->p));
+    if (!wfIsFinite2(velocity) || !wfIsFinite(turn / seconds))
+        return wfRefuseValue(&b, WF_ERROR_NOT_FINITE, "seconds", (double)seconds,
+                             "no velocity is so high: give it more time");
+    result = wfRequireModules(&b, turn != 0 ? WF_MODULE_ROTATION : 0);
+    if (result != WF_OK) return result;
+    wfUse(&b, turn != 0 ? WF_MODULE_ROTATION : 0);
+    give_velocity(&b, i, velocity, turn / seconds);
+    return WF_OK;
 }
 
 /* push a body in a world */

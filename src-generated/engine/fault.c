@@ -93,6 +93,7 @@ static void put_number(Line *l, double x)
         for (; x < 1; power--) x *= 10;
         char digit[8] = "";
         uint64_t seven = (uint64_t)(x * 1e6 + 0.5);
+        if (seven == 10000000) seven = 1000000, power++;    /* 9.99999996 is 10 */
         for (int i = 6; i >= 0; i--, seven /= 10) digit[i] = (char)('0' + seven % 10);
         for (int i = 6; i > 0 && digit[i] == '0'; i--) digit[i] = 0;
         bool far = power < -4 || power > 6;

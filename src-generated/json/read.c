@@ -291,6 +291,10 @@ static bool set_type(Reader *r, int32_t i, const cJSON *item)
     bool moves = def->velocity.x != 0 || def->velocity.y != 0 || def->angularVelocity != 0;
     if (def->type == WF_STATIC && moves)
         return wfTextFail(&r->t, item, WF_ERROR_RANGE, "a static body has no velocity");
+    if (def->fixedRotation && def->angularVelocity != 0)
+        return wfTextFail(&r->t, wfChild(item, "angularVelocity"), WF_ERROR_RANGE,
+                          "is %g, must be 0 with `fixedRotation': delete one of the two",
+                          (double)def->angularVelocity);
     wfResult result = wfChangeBodyType(&r->world, id, def->type);
     if (result != WF_OK && def->type == WF_DYNAMIC && !has_weight(r, i))
         return wfTextFail(&r->t, item, WF_ERROR_RANGE,

@@ -36,7 +36,7 @@ static const wfField body_fields[] = {
     { BODY(position), VEC, .text = "of its origin, m" },
     { BODY(angle), REAL, .least = -1e6, .most = 1e6, .text = "rad, counter-clockwise" },
     { BODY(velocity), VEC, .text = "of the centre of mass, m/s" },
-    { BODY(angularVelocity), REAL, ANY, .text = "rad/s" },
+    { BODY(angularVelocity), REAL, ANY, .text = "rad/s; 0 with fixedRotation" },
     { BODY(mass), REAL, NOT_NEGATIVE, .text = "kg; 0: that of its shapes" },
     { AT(wfBodyText, pivot), VEC,
       .text = "m, in its frame: about this a body turns that is not dynamic" },

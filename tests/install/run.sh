@@ -20,6 +20,16 @@ cc -std=c11 -Wall -Wextra -Werror "$work/readme.c" $(pkg-config --cflags weft) "
 [ "$("$work/readme")" = "height after one second: 5.0950 m" ] || { "$work/readme"; echo "README's program tells another height"; exit 1; }
 cc -std=c11 -Wall -Wextra -Werror tests/install/old_names_user.c $(pkg-config --cflags weft) "$work/stage/opt/weft/lib/libweft.a" -lm -o "$work/user-old"
 "$work/user-old" && say "a program in the names of the last release: ok"
+for std in c++11 c++20; do
+  c++ -std=$std -Wall -Wextra -pedantic -Werror tests/install/report.cpp $(pkg-config --cflags --libs weft) -lm -o "$work/user-report"
+  LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-report"
+done
+awk '/^```c$/ { n++; if (n == 1) { on = 1; next } } /^```$/ { on = 0 } on' chapters/engine/B-api.nw >"$work/listing.c"        # the report's listing, in both languages
+for language in c c++; do
+  cc -x $language "$work/listing.c" -x none $(pkg-config --cflags --libs weft) -lm -o "$work/listing-$language"
+  LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/listing-$language" >"$work/listing-$language.out"
+done
+cmp "$work/listing-c.out" "$work/listing-c++.out" && grep -q '^Body2 is at ' "$work/listing-c.out" && say "the report's names, C and C++: ok"
 if [ -f "$work/stage/opt/weft/lib/libweft-json.a" ]; then
   cc -std=c11 tests/install/json_user.c $(pkg-config --cflags --libs weft-json) -lm -o "$work/user-json"
   LD_LIBRARY_PATH=$work/stage/opt/weft/lib "$work/user-json" && say "pkg-config, scenes as text: ok"

@@ -224,12 +224,14 @@ static void put_body(Rube *r, const cJSON *body, cJSON *list)
     put_point(r, out, "position", point_of(r, wfChild(body, "position")));
     put(r, out, "angle", get(r, body, "angle", 0));
     put_point(r, out, "velocity", point_of(r, wfChild(body, "linearVelocity")));
-    put(r, out, "angularVelocity", get(r, body, "angularVelocity", 0));
+    bool fixed = yes(r, body, "fixedRotation", false);      /* here it has no spin, which would be refused */
+    double spin = get(r, body, "angularVelocity", 0);
+    put(r, out, "angularVelocity", fixed ? 0 : spin);
     put(r, out, "linearDamping", get(r, body, "linearDamping", 0));
     put(r, out, "angularDamping", get(r, body, "angularDamping", 0));
     put(r, out, "gravityScale", get(r, body, "gravityScale", 1));
     if (type == 2) put(r, out, "mass", get(r, body, "massData-mass", 0));
-    put_flag(r, out, "fixedRotation", yes(r, body, "fixedRotation", false));
+    put_flag(r, out, "fixedRotation", fixed);
     put_flag(r, out, "neverSleeps", !yes(r, body, "allowSleep", true));
     put_flag(r, out, "disabled", !yes(r, body, "active", true));
     cJSON *shapes = cJSON_AddArrayToObject(out, "shapes");

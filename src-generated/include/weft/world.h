@@ -81,7 +81,7 @@ typedef struct wfBodyDef {
     wfReal   gravityScale;     /* multiplies gravity */
     wfReal   angle;            /* rad */
     wfReal   angularVelocity;  /* rad/s */
-    int32_t  fixedRotation;    /* 1: never turns, and takes no spin */
+    int32_t  fixedRotation;    /* 1: never turns; its spin must be 0 */
     wfReal   linearDamping, angularDamping;  /* 1/s, >= 0 */
     wfShape  shape;            /* in the body's frame; kind WF_SHAPE_NONE: a particle */
     wfReal   density;          /* kg/m^2 > 0, used when mass is 0 */
@@ -246,7 +246,7 @@ wfResult wfGetBody(const wfWorld *world, wfBodyId id, wfBodyInfo *out);
 wfResult wfGetBodyShape(const wfWorld *world, wfBodyId id, wfShape *out);
 /* All: WF_ERROR_STALE_ID, WF_ERROR_NOT_FINITE, WF_ERROR_RANGE where stated. */
 wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle);
-/* Of the centre of mass. RANGE: a static body. With fixedRotation the spin stays 0. */
+/* Of the centre of mass. RANGE: a static body; a spin for one with fixedRotation. */
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
                            wfReal angularVelocity);
 /* A new mass > 0 for a dynamic body (RANGE otherwise); its inertia changes in
@@ -278,7 +278,8 @@ wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data);
 /* 1: it never turns, and takes no spin; 0: it has the inertia of its shapes. */
 wfResult wfSetBodyFixedRotation(wfWorld *world, wfBodyId id, int32_t fixed);
 /* Gives a kinematic body the velocity by which its origin will be there, turned so, after
- * so many seconds (> 0): call it before each step with timeStep. By the shorter turn. */
+ * so many seconds (> 0): call it before each step with timeStep. By the shorter turn.
+ * RANGE: another type; another angle than it has, with fixedRotation. */
 wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle,
                          wfReal seconds);
 /* Advances the world by dt. On any error the world is as it was before the call:
