@@ -1,0 +1,77 @@
+/* What strangers to the testbed found when they used its window, each thing once. */
+#define _GNU_SOURCE                                     /* mkdtemp */
+#include "play.h"
+#include <math.h>
+#include "testbed/game.h"
+#include "testbed/layer.h"
+
+/* ---- what a window says as it opens ---- */
+static char told[300], scene_told[100];
+static bool window(layer *l)
+{
+    char text[32768];
+    game_input now = { .steps = 0 };
+    if (!layer_resize(l, 1100, 700)) return false;
+    for (int i = 0; i < 4; i++) layer_frame(l, &now);
+    l->code.describe(&l->memory, text, sizeof text);
+    const char *said = strstr(text, "\nsaid ");
+    assert_non_null(said);
+    snprintf(told, sizeof told, "%.*s", (int)strcspn(said + 6, "\n"), said + 6);
+    snprintf(scene_told, sizeof scene_told, "%.*s", (int)strcspn(text, "\n"), text);
+    return true;
+}
+
+static int open_window(char *word, char *folder, bool steps)
+{
+    char name[] = "weft-testbed", option[] = "--folder", some[] = "--steps", three[] = "3";
+    char *argv[] = { name, option, folder, word, NULL, NULL, NULL };
+    int argc = 3;
+    if (word) argc++;
+    if (steps) argv[argc++] = some, argv[argc++] = three;
+    told[0] = scene_told[0] = 0;
+    return layer_main(argc, argv, window);
+}
+
+TEST(a_bad_file_is_told_in_the_window)
+{
+    char folder[] = "/tmp/weft-window-XXXXXX", path[100], word[100];
+    assert_non_null(mkdtemp(folder));
+    snprintf(path, sizeof path, "%s/bad.json", folder);
+    FILE *f = fopen(path, "w");
+    assert_non_null(f);
+    fputs("{\n\"weft\": 1, \"bodies\": [ 1", f);
+    fclose(f);
+    static const char *const wrong[][2] = { { "bad.json", "line 2" }, { "none.json", "can't read the scene" }, { "none.save", "can't read the world" } };
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+#ifdef WF_NO_JSON
+        if (i == 0) continue;
+#endif
+        snprintf(word, sizeof word, "%s/%s", folder, wrong[i][0]);
+        assert_int_equal(open_window(word, folder, false), 0);
+        if (!strstr(told, wrong[i][1]) || !strstr(told, wrong[i][0])) fail_msg("%s: the window says '%s'", word, told);
+        assert_string_equal(scene_told, "scene tumbler");
+        assert_int_equal(open_window(word, folder, true), 1);       /* a script is told by its end */
+        assert_string_equal(told, "");
+    }
+    remove(path);
+    remove(folder);
+}
+
+TEST(a_folder_that_takes_no_files_is_told_at_once)
+{
+    char folder[] = "/tmp/weft-window-XXXXXX", path[100], pyramid[] = "pyramid";
+    assert_non_null(mkdtemp(folder));
+    assert_int_equal(open_window(pyramid, folder, true), 0);
+    snprintf(path, sizeof path, "%s/not/there", folder);
+    assert_int_equal(open_window(pyramid, path, false), 0);
+    if (!strstr(told, path) || !strstr(told, "--folder") || !strstr(told, "make it")) fail_msg("the window says '%s'", told);
+    assert_string_equal(scene_told, "scene pyramid");
+    assert_int_equal(open_window(pyramid, path, true), 1);
+    snprintf(path, sizeof path, "%s/file", folder);                 /* a file is no folder */
+    FILE *f = fopen(path, "w");
+    assert_non_null(f);
+    fclose(f);
+    assert_int_equal(open_window(pyramid, path, true), 1);
+    remove(path);
+    assert_int_equal(remove(folder), 0);                            /* and nothing was left in it */
+}
