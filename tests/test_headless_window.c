@@ -75,3 +75,69 @@ TEST(a_folder_that_takes_no_files_is_told_at_once)
     remove(path);
     assert_int_equal(remove(folder), 0);                            /* and nothing was left in it */
 }
+
+/* ---- keys ---- */
+static game_state *state_of(const play *p) { return p->memory.permanent; }
+
+static void begin(play *p, int width, int height, const char *first)
+{
+    *p = play_open(width, height, 1);
+    p->sparing = true;
+    play_run(p, first);
+}
+
+/* Keys as a keyboard sends them: each goes down, and comes up some frames later. */
+static void type_word(play *p, const char *word, int32_t last)
+{
+    game_input in = { .steps = 1 };
+    size_t n = strlen(word);
+    for (size_t i = 0; i <= n + 8; i++) {
+        int32_t key = i < n ? word[i] : i == n ? last : 0;
+        if (key) game_take_event(&in, &(game_event){ GAME_EVENT_KEY, 0, 0, key });
+        if (i > 0 && i <= n) game_take_event(&in, &(game_event){ GAME_EVENT_KEY_UP, 0, 0, word[i - 1] });
+        game_update_and_render(&p->memory, &in, &p->buffer);
+        if (state_of(p)->input.held & (31 | WF_BY_HAND) && state_of(p)->driven) fail_msg("'%s': after %d keys the scene is driven", word, (int)i);
+        game_forget_moment(&in);
+    }
+    if (last) game_take_event(&in, &(game_event){ GAME_EVENT_KEY_UP, 0, 0, last });
+    game_update_and_render(&p->memory, &in, &p->buffer);
+    game_describe(&p->memory, p->text, sizeof p->text);
+}
+
+/* What the search, a number, an open list and the menu took does nothing in the scene, not even while the key is still down. */
+TEST(a_key_that_was_taken_is_not_the_scenes)
+{
+    play p;
+    begin(&p, 1100, 700, "steps 0\nscene trebuchet\nframe\nframe\n");
+    type_word(&p, "/trebuchet", GAME_KEY_ENTER);
+    assert_true(strncmp(p.text, "scene trebuchet\n", 16) == 0 && play_fact(&p, "steps", 0) > 3);
+    assert_int_equal(state_of(&p)->driven, 0);
+    type_word(&p, "/race was d", GAME_KEY_ESCAPE);
+    play_run(&p, "steps 0\nkey s\nframe\nframe\n");                 /* the panel */
+    if (!state_of(&p)->panel) play_click(&p, "Settings");
+    play_run(&p, "steps 0\nframe\nframe\n");
+    play_click(&p, "World");
+    play_run(&p, "steps 0\nframe\nframe\n");
+    play_type(&p, "gravity.y", "key -\nframe\nkey 9");
+    type_word(&p, "8wasd", GAME_KEY_ENTER);
+    assert_int_equal(state_of(&p)->driven, 0);
+    play_click(&p, "Place");
+    play_run(&p, "steps 0\nframe\n");
+    play_click(&p, "new shape");
+    type_word(&p, "", GAME_KEY_ENTER);
+    assert_int_equal(state_of(&p)->ui.open, 0);
+    assert_int_equal(state_of(&p)->driven, 0);
+    play_click(&p, "Hand");
+    char script[200];
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick right\nframe\nframe\n", play_fact(&p, "body 1", 2), play_fact(&p, "body 1", 3));
+    play_run(&p, script);
+    assert_true(state_of(&p)->menu != 0);
+    type_word(&p, "", GAME_KEY_DOWN);
+    type_word(&p, "", GAME_KEY_ENTER);
+    assert_int_equal(state_of(&p)->menu, 0);
+    assert_int_equal(state_of(&p)->driven, 0);
+    /* but pressed anew, it throws */
+    play_run(&p, "steps 1\nscene trebuchet\nframe\nframe\nhold enter\nwait 3\nlet enter\nframe\n");
+    assert_int_equal(state_of(&p)->driven, 1);
+    play_end(&p);
+}
