@@ -141,3 +141,56 @@ TEST(a_key_that_was_taken_is_not_the_scenes)
     assert_int_equal(state_of(&p)->driven, 1);
     play_end(&p);
 }
+
+/* ---- the menu ---- */
+static void open_menu_at(play *p, double x, double y)
+{
+    char script[200];
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick right\nframe\nframe\n", x, y);
+    play_run(p, script);
+    assert_int_equal(state_of(p)->menu, 1);
+}
+
+static void open_menu_of(play *p, const char *body) { open_menu_at(p, play_fact(p, body, 2), play_fact(p, body, 3)); }
+
+/* What is offered for several is done to all of them; what is for one is offered for one. */
+TEST(the_menu_speaks_of_all_that_are_chosen)
+{
+    play p;
+    static const char *const single[] = { "widget Copy it", "widget Follow it", "widget Plot it", "widget Twice the mass" };
+    begin(&p, 1100, 700, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
+    double bodies = play_fact(&p, "bodies", 0);
+    open_menu_of(&p, "body 6");
+    for (int i = 0; i < 4; i++)
+        if (!play_line(&p, single[i])) fail_msg("one body: no %s", single[i]);
+    assert_null(play_line(&p, "widget Copy them"));
+    play_run(&p, "steps 0\nkey escape\nframe\nkey all\nframe\nframe\n");
+    double chosen = play_fact(&p, "chosen", 0);
+    assert_true(chosen > 2);
+    open_menu_of(&p, "body 6");
+    for (int i = 0; i < 4; i++)
+        if (play_line(&p, single[i])) fail_msg("several bodies: %s", single[i]);
+    assert_non_null(play_line(&p, "widget Twice each mass"));
+    play_click(&p, "Copy them");
+    assert_near(play_fact(&p, "bodies", 0), bodies + chosen, 0);
+    assert_near(play_fact(&p, "chosen", 0), chosen, 0);
+    play_run(&p, "steps 0\nkey undo\nframe\nframe\n");
+    assert_near(play_fact(&p, "bodies", 0), bodies, 0);
+    play_end(&p);
+}
+
+/* A body that stands still has no mass to be doubled. */
+TEST(only_what_moves_is_made_heavier)
+{
+    play p;
+    begin(&p, 1100, 700, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
+    double x = play_fact(&p, "body 6", 2), y = play_fact(&p, "body 6", 3);
+    open_menu_of(&p, "body 6");
+    play_click(&p, "Freeze it");
+    open_menu_at(&p, x, y);
+    assert_non_null(play_line(&p, "widget Let it move"));
+    assert_null(play_line(&p, "widget Twice the mass"));
+    assert_null(play_line(&p, "widget Half the mass"));
+    play_run(&p, "steps 0\nkey escape\nframe\nframe\n");
+    play_end(&p);
+}
