@@ -194,3 +194,41 @@ TEST(only_what_moves_is_made_heavier)
     play_run(&p, "steps 0\nkey escape\nframe\nframe\n");
     play_end(&p);
 }
+
+/* ---- time ---- */
+static void place_at(play *p, double x, double y)
+{
+    char script[300];
+    snprintf(script, sizeof script, "steps 0\nkey b\nframe\nmove %g %g\nframe\ndown left\nframe\nup left\nframe\nkey g\nframe\nframe\n", x, y);
+    play_run(p, script);
+}
+
+/* After Undo and Redo the bar of time is there before the next step, and leads back and to now. */
+TEST(the_bar_of_time_is_there_after_a_redo)
+{
+    for (int first = 0; first < 2; first++) {                       /* a change at the beginning, or later */
+        play p;
+        begin(&p, 1100, 700, "steps 0\nscene pyramid\nframe\nframe\n");
+        if (first) play_run(&p, "steps 1\nwait 60\nsteps 0\nframe\n");
+        double bodies = play_fact(&p, "bodies", 0);
+        place_at(&p, 300, 300);
+        assert_near(play_fact(&p, "bodies", 0), bodies + 1, 0);
+        play_run(&p, "steps 1\nwait 90\nsteps 0\nkey p\nframe\nframe\n");
+        double steps = play_fact(&p, "steps", 0);
+        assert_non_null(play_line(&p, "widget time"));
+        play_run(&p, "steps 0\nkey undo\nframe\nkey redo\nframe\nframe\n");
+        assert_near(play_fact(&p, "steps", 0), steps, 0);
+        assert_near(play_fact(&p, "bodies", 0), bodies + 1, 0);
+        if (!play_line(&p, "widget time")) fail_msg("no bar after a redo (%d)", first);
+        char script[300];
+        double y = play_fact(&p, "widget time pixel", 1), x = play_fact(&p, "widget time pixel", 0);
+        for (int pull = 0; pull < 2; pull++) {                      /* back as far as is kept, and to now again */
+            snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nup left\nframe\nframe\n", x, y, pull ? 1099.0 : 230.0, y);
+            play_run(&p, script);
+            if (!play_line(&p, "widget time")) fail_msg("no bar after a pull (%d)", first);
+            if (pull) assert_near(play_fact(&p, "steps", 0), steps, 0);
+            else assert_true(play_fact(&p, "steps", 0) < steps);
+        }
+        play_end(&p);
+    }
+}

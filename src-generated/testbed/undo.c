@@ -121,5 +121,11 @@ void game_redo(game *g)
     bool can = s->undo_at + 1 < s->undo_count;
     game_tell(g, !can, can ? "done again" : "there is nothing to redo");
     if (can) game_leave_world(g, 0);
-    if (can) go_to(g, s->undo_at + 1, s->undo[s->undo_at].step);
+    if (!can) return;
+    go_to(g, s->undo_at + 1, s->undo[s->undo_at].step);
+    uint64_t oldest, newest = 0, now = wfWorldSteps(&g->world);
+    if (wfRewindReach(&g->ring, &oldest, &newest) == WF_OK && newest >= now) return;
+    wfRewindKeep(&g->ring, &g->world);      /* the bar ends here, before the next step */
+    s->ring_due = 0;
+    game_note_ring(g);
 }
