@@ -232,3 +232,55 @@ TEST(the_bar_of_time_is_there_after_a_redo)
         play_end(&p);
     }
 }
+
+/* ---- what was built ---- */
+/* Is this text in the lists of what was drawn last? */
+static bool is_drawn(const play *p, const char *text)
+{
+    const char *at = p->memory.transient;
+    size_t n = strlen(text);
+    for (size_t i = 0; i + n < p->memory.transient_size; i++)
+        if (at[i] == text[0] && memcmp(at + i, text, n) == 0) return true;
+    return false;
+}
+
+TEST(reset_is_not_advised_where_it_would_delete_what_was_built)
+{
+    for (int built = 0; built < 2; built++) {
+        play p;
+        begin(&p, 1100, 700, "steps 0\nscene stack-of-boxes\nframe\nframe\n");
+        if (built) place_at(&p, 400, 200);
+        assert_true(game_set(&p.memory, "gravity.x", 60));
+        play_run(&p, "steps 1\nwait 400\nsteps 0\nkey g\nkey escape\nframe\n");
+        memset(p.memory.transient, 0, p.memory.transient_size);
+        play_run(&p, "steps 0\nframe\nframe\n");
+        if (!is_drawn(&p, built ? "most has left: Home shows it" : "most has left: Reset brings it back")) fail_msg("built %d", built);
+        assert_false(is_drawn(&p, built ? "Reset brings" : "Home shows"));
+        if (built) {                                                /* and Home does, at the latest when pressed again */
+            play_run(&p, "steps 0\nkey h\nframe\nkey h\nframe\n");
+            memset(p.memory.transient, 0, p.memory.transient_size);
+            play_run(&p, "steps 0\nframe\nframe\n");
+            assert_false(is_drawn(&p, "most has left"));
+        }
+        play_end(&p);
+    }
+}
+
+/* Back in a scene in which something was built, it says how to have it again, and so it comes. */
+TEST(what_was_built_is_not_forgotten_without_a_word)
+{
+    play p;
+    begin(&p, 1100, 700, "steps 0\nscene empty-ground\nframe\nframe\n");
+    place_at(&p, 600, 300);
+    assert_near(play_fact(&p, "bodies", 0), 2, 0);
+    play_run(&p, "steps 0\nkey ]\nframe\nframe\n");
+    assert_true(play_says(&p, "said " UNDO_HINT));
+    play_run(&p, "steps 0\nseconds 1\nwait 9\n");
+    assert_false(play_says(&p, "said " UNDO_HINT));
+    play_run(&p, "steps 0\nkey [\nframe\nframe\n");
+    assert_near(play_fact(&p, "bodies", 0), 1, 0);
+    assert_true(play_says(&p, "said " UNDO_HINT));
+    play_run(&p, "steps 0\nkey undo\nframe\nframe\n");
+    assert_near(play_fact(&p, "bodies", 0), 2, 0);
+    play_end(&p);
+}

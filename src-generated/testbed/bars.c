@@ -311,7 +311,9 @@ static const char *why_empty(const game *g)
         left += !here && !is_seen(&v, i, at_home);
     }
     bool goes_along = g->scene->follow || g->scene->alias || g->scene->points;
-    if (2 * left > all && !goes_along) return "most has left: Reset brings it back";
+    if (2 * left > all && !goes_along)                  /* Reset would delete what was built */
+        return game_was_changed(g->state) || g->state->read ? "most has left: Home shows it"
+               : "most has left: Reset brings it back";
     return all && !seen ? "nothing is in view: Home brings it back" : NULL;
 }
 

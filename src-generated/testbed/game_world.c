@@ -125,7 +125,8 @@ void game_open_scene(game *g, int row)
     }
     if (s->opened && g->scene->follow)
         s->follow = wfBodyAt(&g->world, g->scene->follow - 1);
-    if (moments > before) game_tell(g, false, UNDO_HINT), s->told = 6;
+    bool built = moments > before || game_was_changed(s);       /* and it is not here now */
+    if (built) game_tell(g, false, UNDO_HINT), s->told = 6;
 }
 
 static uint32_t controls_of(const wfScene *scene)
