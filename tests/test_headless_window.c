@@ -284,3 +284,36 @@ TEST(what_was_built_is_not_forgotten_without_a_word)
     assert_near(play_fact(&p, "bodies", 0), 2, 0);
     play_end(&p);
 }
+
+/* ---- curves ---- */
+/* A file of curves of which none is known would hold the times alone: the button is grey, and says why. */
+TEST(a_file_of_no_curves_is_refused)
+{
+    static uint8_t bytes[GAME_FILE_BYTES];
+    play p;
+    begin(&p, 1100, 900, "steps 0\nscene pyramid\nframe\nframe\n");
+    p.memory.file = &p.file;
+    p.file.bytes = bytes, p.file.capacity = sizeof bytes;
+    play_run(&p, "steps 0\nframe\n");
+    p.file.wish = GAME_FILE_NONE;
+    if (!state_of(&p)->panel) play_click(&p, "Settings");
+    play_run(&p, "steps 0\nframe\nframe\n");
+    play_click(&p, "Compare");
+    play_run(&p, "steps 1\nwait 5\n");
+    assert_null(play_line(&p, "widget Curves as CSV"));
+    assert_true(is_drawn(&p, "Curves as CSV: choose a curve"));
+    play_click(&p, "curve: place");
+    play_run(&p, "steps 1\nwait 5\n");
+    assert_null(play_line(&p, "widget Curves as CSV"));
+    assert_true(is_drawn(&p, "Curves as CSV: choose a body"));
+    play_click(&p, "curve: energy");                                /* one that is known is enough */
+    for (int i = 0; i < 6; i++) {                                   /* the settings that it keeps by itself */
+        play_run(&p, "steps 1\nwait 2\n");
+        if (p.file.wish != GAME_FILE_NONE) p.file.answer = GAME_FILE_DONE;
+    }
+    play_click(&p, "Curves as CSV");
+    assert_int_equal(p.file.wish, GAME_FILE_EXPORT);
+    assert_true(p.file.size > 20 && strncmp((const char *)bytes, "time (s),energy: kinetic (J)", 28) == 0);
+    p.file.bytes = NULL;
+    play_end(&p);
+}
