@@ -352,3 +352,38 @@ TEST(curves_do_not_cover_a_challenge)
                 play_end(&p);
             }
 }
+
+/* ---- kicks ---- */
+static void kick(play *p, const char *body, double dx, double dy)
+{
+    char script[300];
+    double x = play_fact(p, body, 2), y = play_fact(p, body, 3);
+    snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\ndown left\nframe\nmove %g %g\nframe\nup left\nframe\nmove 30 690\nframe\n", x, y, x + dx, y + dy);
+    play_run(p, script);
+}
+
+/* A kick while time stands is seen: an arrow, a word; and a click without a pull is none. */
+TEST(a_kick_before_the_start_is_seen)
+{
+    play p;
+    begin(&p, 1100, 700, "steps -1\nseconds 0\nscene land-the-box\nframe\nframe\n");
+    assert_int_equal(state_of(&p)->paused, 1);
+    play_click(&p, "Kick");
+    char body[20] = "";
+    for (int i = 0; i < 9 && !body[0]; i++) {
+        snprintf(body, sizeof body, "body %d x", i);
+        if (!play_line(&p, body)) body[0] = 0;
+    }
+    kick(&p, body, 0, 0);
+    assert_true(play_says(&p, "said press on a body, pull, let go"));
+    kick(&p, body, 50, -20);
+    if (!strstr(p.text, "\nsaid kicked: 5.4 m/s, as time runs\n")) fail_msg("%s", strstr(p.text, "\nsaid"));
+    memset(p.memory.transient, 0, p.memory.transient_size);
+    play_run(&p, "steps 0\nframe\n");
+    assert_true(is_drawn(&p, "5.4 m/s"));
+    play_run(&p, "steps 0\nkey undo\nframe\nframe\n");
+    memset(p.memory.transient, 0, p.memory.transient_size);
+    play_run(&p, "steps 0\nkey escape\nframe\n");
+    assert_false(is_drawn(&p, "5.4 m/s"));
+    play_end(&p);
+}

@@ -11,6 +11,7 @@ tool_work game_tools_of(game *g)
     s->tools.unit = (wfReal)(s->scale / camera_scale(&s->camera));
     s->tools.reach = (s->finger ? 20 : 4) * s->tools.unit;
     s->tools.heavy = g->scene->alias != NULL;
+    s->tools.stands = s->paused;
     float corner[2];
     camera_pick(&s->camera, s->camera.left, s->camera.top, corner);
     s->tools.top = (wfReal)corner[1];
