@@ -387,3 +387,26 @@ TEST(a_kick_before_the_start_is_seen)
     assert_false(is_drawn(&p, "5.4 m/s"));
     play_end(&p);
 }
+
+/* ---- the search ---- */
+TEST(what_is_played_is_found_as_a_game)
+{
+    play p;
+    int games = 0;
+    begin(&p, 1100, 1800, "steps 0\nscene pyramid\nframe\nkey /\nframe\nkey g\nframe\nkey a\nframe\nkey m\nframe\nkey e\nframe\nframe\n");
+    for (int i = 0; i < wfSceneCount(); i++) {
+        const wfScene *s = wfSceneAt(i);
+        char label[80];
+        bool played = s->alias != NULL;
+        for (int k = 0; k < WF_CONTROLS; k++) played |= s->controls[k] != NULL;
+        games += played;
+        snprintf(label, sizeof label, "widget %s", s->name);
+        if (played && !play_line(&p, label)) fail_msg("%s is no game", s->name);
+    }
+    assert_true(games > 15);
+    assert_null(play_line(&p, "widget tower"));
+    play_end(&p);
+    begin(&p, 1100, 700, "steps 0\nscene pyramid\nframe\nkey /\nframe\nkey g\nframe\nkey a\nframe\nkey m\nframe\nkey e\nframe\nframe\n");
+    assert_true(play_line(&p, "widget pinball") && play_line(&p, "widget race car"));
+    play_end(&p);
+}

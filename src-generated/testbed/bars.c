@@ -67,13 +67,17 @@ static int list_scenes(ui *u, game *g)
     return chosen;
 }
 
-/* How well the query fits the scene: its name, what is told of it, letters of its name. */
+/* How well the query fits the scene: its name, what is told of it, letters of its name. What
+ * is driven or a task is a game. */
 static float scene_fit(const wfScene *scene, const char *query)
 {
-    const char *told[] = { scene->text, scene->category, scene->chapter, scene->name };
+    bool played = scene->alias != NULL;
+    for (int i = 0; i < WF_CONTROLS; i++) played |= scene->controls[i] != NULL;
+    const char *told[] = { scene->text, scene->category, scene->chapter,
+                           played ? "game" : NULL, scene->name };
     int best = 0;
-    for (int i = 0; i < 4; i++) {
-        int how = 2 * ui_holds(told[i], query) + (i == 3);
+    for (int i = 0; i < 5; i++) {
+        int how = 2 * ui_holds(told[i], query) + (i == 4);
         if (how > best) best = how;
     }
     float letters = ui_fit(query, scene->name);
