@@ -368,6 +368,77 @@ TEST(options_are_read_and_checked)
         if (!options_of(&o, wrong[i])) fail_msg("'%s' was taken", wrong[i]);
 }
 
+/* Each row of the table: its ends are taken, what is beyond them and rubbish is refused, with the option, the value and what is allowed. */
+static const char *one_option(layer_options *o, const char *name, const char *value)
+{
+    char a[] = "weft", b[40], c[80];
+    char *argv[] = { a, b, c, NULL };
+    snprintf(b, sizeof b, "%s", name);
+    snprintf(c, sizeof c, "%s", value ? value : "");
+    return layer_read_options(value ? 3 : 2, argv, o);
+}
+
+static void expect_refused(const layer_option *row, const char *value)
+{
+    layer_options o;
+    char least[40], most[40];
+    const char *told = one_option(&o, row->name, value);
+    if (!told) fail_msg("%s %s was taken", row->name, value);
+    snprintf(least, sizeof least, "from %.10g", row->least);
+    snprintf(most, sizeof most, "to %.10g", row->most);
+    bool all = strstr(told, row->name) && (!value || strstr(told, value));
+    all = all && (row->takes == 't' ? strstr(told, row->value) != NULL : strstr(told, least) && strstr(told, most));
+    if (!all) fail_msg("%s %s: %s", row->name, value ? value : "", told);
+}
+
+static void try_end(const layer_option *row, double x, bool good)
+{
+    layer_options o;
+    char value[80];
+    snprintf(value, sizeof value, row->takes == 's' ? "%.10gx%.10g" : "%.10g", x, x);
+    if (!good) {
+        expect_refused(row, value);
+        return;
+    }
+    const char *told = one_option(&o, row->name, value);
+    if (told) fail_msg("%s %s: %s", row->name, value, told);
+    float real;
+    int32_t whole[2];
+    memcpy(&real, (const char *)&o + row->place, sizeof real);
+    memcpy(whole, (const char *)&o + row->place, row->takes == 's' ? sizeof whole : sizeof *whole);
+    if (row->takes == 'f') assert_near((double)real, x, 0);
+    else assert_true(whole[0] == (int32_t)x && (row->takes != 's' || whole[1] == (int32_t)x));
+}
+
+TEST(each_option_says_what_it_takes)
+{
+    static const char *const rubbish[] = { "", "abc", "-", "3x", "x3", "nan", "inf", "-inf", "1e99", "-1e99", "0x", "1 2", "640x480x2", "640x", "x480" };
+    int numbers = 0;
+    for (const layer_option *row = layer_option_table; row->name; row++) {
+        layer_options o;
+        expect_refused(row, NULL);
+        assert_non_null(one_option(&o, row->name, "--steps"));      /* another option is no value */
+        if (row->takes == 't') continue;
+        numbers++;
+        for (size_t i = 0; i < sizeof rubbish / sizeof *rubbish; i++) expect_refused(row, rubbish[i]);
+        try_end(row, row->least, true);
+        try_end(row, row->most, true);
+        double beyond = row->takes == 'f' ? 0.25 : 1;
+        try_end(row, row->least - beyond, false);
+        try_end(row, row->most + beyond, false);
+        try_end(row, -3, false);
+        if (row->takes != 'f') try_end(row, row->least + 0.5, false);
+    }
+    assert_int_equal(numbers, 4);
+    layer_options o;
+    const char *told = options_of(&o, "a.json b.json");
+    assert_true(told && strstr(told, "a.json") && strstr(told, "b.json") && strstr(told, "only one scene"));
+    told = options_of(&o, "--list --hash");
+    assert_true(told && strstr(told, "--list") && strstr(told, "--hash") && strstr(told, "only one command"));
+    told = options_of(&o, "--scene --folder Y");
+    assert_true(told && strstr(told, "--scene without a value: it takes NAME"));
+}
+
 /* ---- a layer in action ---- */
 static const char *put(const char *name, const char *text)
 {

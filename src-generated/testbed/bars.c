@@ -67,13 +67,17 @@ static int list_scenes(ui *u, game *g)
     return chosen;
 }
 
-/* How well the query fits the scene: its name, what is told of it, letters of its name. */
+/* How well the query fits the scene: its name, what is told of it, letters of its name. What
+ * is driven or a task is a game. */
 static float scene_fit(const wfScene *scene, const char *query)
 {
-    const char *told[] = { scene->text, scene->category, scene->chapter, scene->name };
+    bool played = scene->alias != NULL;
+    for (int i = 0; i < WF_CONTROLS; i++) played |= scene->controls[i] != NULL;
+    const char *told[] = { scene->text, scene->category, scene->chapter,
+                           played ? "game" : NULL, scene->name };
     int best = 0;
-    for (int i = 0; i < 4; i++) {
-        int how = 2 * ui_holds(told[i], query) + (i == 3);
+    for (int i = 0; i < 5; i++) {
+        int how = 2 * ui_holds(told[i], query) + (i == 4);
         if (how > best) best = how;
     }
     float letters = ui_fit(query, scene->name);
@@ -311,7 +315,9 @@ static const char *why_empty(const game *g)
         left += !here && !is_seen(&v, i, at_home);
     }
     bool goes_along = g->scene->follow || g->scene->alias || g->scene->points;
-    if (2 * left > all && !goes_along) return "most has left: Reset brings it back";
+    if (2 * left > all && !goes_along)                  /* Reset would delete what was built */
+        return game_was_changed(g->state) || g->state->read ? "most has left: Home shows it"
+               : "most has left: Reset brings it back";
     return all && !seen ? "nothing is in view: Home brings it back" : NULL;
 }
 

@@ -180,7 +180,10 @@ static void copy_bodies(tool_work *w, const wfBodyId *ids, int32_t count)
     wfPoolRewind(w->scratch, mark);
 }
 
-WF_APART void tool_copy(tool_work *w, wfBodyId id) { copy_bodies(w, &id, 1); }
+WF_APART void tool_copy_chosen(tool_work *w)
+{
+    copy_bodies(w, w->memory->chosen, w->memory->count);
+}
 
 WF_APART void tool_copy_all(tool_work *w)
 {

@@ -11,7 +11,7 @@ enum { CURVE_WIDE = 268, CURVE_HIGH = 120, CURVE_LOW = 80, CURVE_GAP = 8 };
  * camera's part is theirs alone, from above or from the left. */
 typedef struct curve_rows {
     float left, top, wide, high, strip, spare;
-    int in_line;
+    int in_line, most;                  /* most: so many are drawn */
     bool down;                          /* they go down first, in columns */
 } curve_rows;
 
@@ -22,13 +22,15 @@ static int count_curves(uint32_t rows)
     return n > 0 ? n : 1;
 }
 
-/* The scene becomes smaller, down to half: under or beside them, as it stays larger. */
-static void make_room(const game_state *s, curve_rows *r, int wanted, float w, float h,
+/* The scene becomes smaller, down to half: under or beside them, as it stays larger. False:
+ * they would lie on it. */
+static bool make_room(const game_state *s, curve_rows *r, int wanted, float w, float h,
                       float shape)
 {
     bool panes = game_has_panes(s);
     float across = panes ? 2 : 1, down = panes && s->worlds > 2 ? 2 : 1;
-    float each = r->wide + CURVE_GAP, best = fminf(h / down, w / across / shape) / 2;
+    float each = r->wide + CURVE_GAP, half = fminf(h / down, w / across / shape) / 2;
+    float best = half;
     for (int beside = 0; beside < 2; beside++) {
         float fit = beside ? (h - 14) / (CURVE_LOW + CURVE_GAP) : w / each;
         int in_line = (int)fminf(fmaxf(fit, 1), (float)wanted);
@@ -44,9 +46,10 @@ static void make_room(const game_state *s, curve_rows *r, int wanted, float w, f
         r->spare = need, r->high = high, r->in_line = in_line, r->down = beside;
         if (panes) r->top = s->head + 8;
     }
+    return best > half;
 }
 
-static curve_rows rows_of_curves(const game *g)
+static bool rows_of(const game *g, int wanted, curve_rows *out)
 {
     const game_state *s = g->state;
     camera c = s->camera;
@@ -59,7 +62,7 @@ static curve_rows rows_of_curves(const game *g)
                      .strip = s->finger ? 36 : 22 };
     r.wide = CURVE_WIDE + r.strip < w - 16 ? CURVE_WIDE + r.strip : w - 16;
     float each = r.wide + CURVE_GAP;
-    int wanted = count_curves(game_curves(s)), across = w > 2 * each ? (int)(w / each) : 1;
+    int across = w > 2 * each ? (int)(w / each) : 1;
     int lines = (wanted + across - 1) / across;
     bool upright = s->height > s->width;
     if (across < 2 && upright && !panes && above < h / 2) above = h / 2;
@@ -74,7 +77,19 @@ static curve_rows rows_of_curves(const game *g)
     float need = (float)lines * (r.high + CURVE_GAP) + 8;
     if (!r.down) r.spare = need < above ? need : above;
     else if (free > 0) r.spare = (float)(columns < free ? columns : free) * each + 8;
-    if (r.down ? columns > free : need > above + 1) make_room(s, &r, wanted, w, h, shape);
+    bool free_of_it = !(r.down ? columns > free : need > above + 1) ||
+                      make_room(s, &r, wanted, w, h, shape);
+    r.most = wanted;
+    *out = r;
+    return free_of_it;
+}
+
+/* On a challenge none lies: those that find no room there are not drawn. */
+static curve_rows rows_of_curves(const game *g)
+{
+    curve_rows r;
+    int n = count_curves(game_curves(g->state));
+    while (!rows_of(g, n, &r) && g->scene->alias && n > 1) n--;
     return r;
 }
 
@@ -118,7 +133,7 @@ void game_draw_curves(ui *u, game *g)
         float along = (float)(n % r.in_line), other = (float)(n / r.in_line);
         float x = r.left + (r.down ? other : along) * (r.wide + CURVE_GAP);
         float y = r.top + (r.down ? along : other) * (r.high + CURVE_GAP);
-        if (n++ > 0 && x + r.wide > s->width) continue;
+        if (n++ > 0 && (n > r.most || x + r.wide > s->width)) continue;
         if (u->draw)
             wfDrawPlot(u->draw, i, &s->plots, x, u->height - y - r.high, wide, r.high);
         u->over |= ui_inside(u, x, y, r.wide, r.high);

@@ -256,12 +256,16 @@ void game_update_and_render(game_memory *memory, const game_input *input,
     if (input->scene[0]) open_by_name(&g, input->scene);
     bool bad = memory->news && memory->news[0] == '!';
     if (memory->news) game_tell(&g, bad, memory->news + bad);
+    bool had = game_has_keys(s);
+    s->taken &= input->keys_held;
     ui u = ui_look(&s->ui, input, s->width, s->height, s->scale);
     if (s->told > 0 && (s->told -= input->seconds) <= 0 &&
         strcmp(s->tools.said, UNDO_HINT) == 0) s->tools.said[0] = 0;
     s->enter = 0;
     for (int i = 0; i < input->key_count && i < GAME_MAX_KEYS; i++) {
+        bool took = had || game_has_keys(s);
         if (input->keys[i] == GAME_KEY_ENTER) s->enter = 1;
+        *(took ? &s->taken : &g.taps) |= game_key_bit(input->keys[i]);
         if (!ui_takes(&s->ui, input->keys[i])) game_obey_key(&g, input->keys[i]);
         else if (s->ui.typing && input->keys[i] == '/') s->list = 1;
     }

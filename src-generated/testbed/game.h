@@ -80,6 +80,7 @@ typedef struct game_state {
     wfBodyId follow;                    /* the camera goes along with it; index 0: nobody */
     int32_t hint;                       /* nobody has grabbed anything yet */
     double told;                        /* s that UNDO_HINT stays for */
+    uint32_t taken;                     /* bits of keys that a box took and that are down */
     int32_t driven;                     /* 1: somebody drives the scene, and not its demo */
     int32_t grasped;                    /* 1 + the control under mouse or finger; 0: none */
     int32_t ends;                       /* 1: a scene that is empty stays so */
@@ -177,6 +178,7 @@ typedef struct game {
     double (*now)(void);                /* or NULL */
     wfWorkers workers;                  /* threads for steps and pixels */
     game_file *file;                    /* or NULL */
+    uint32_t taps;                      /* bits of keys that went down, and for the scene */
     wfTransform *pose;                  /* of each body before the last step */
     double stage[STAGES];               /* s that each stage of the last step took ... */
     bool staged;                        /* ... if anybody measured it */
@@ -227,6 +229,7 @@ wfResult game_make_room(void *context, uint32_t modules);
 tool_work game_tools_of(game *g);
 bool game_drives(const game *g, uint32_t bit);          /* this key drives the scene */
 bool game_drives_any(const game *g);
+bool game_has_keys(const game_state *s);
 void game_find_held(game *g);
 bool game_goes_along(const game_state *s, int i);
 void game_begin_others(game *g);

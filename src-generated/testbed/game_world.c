@@ -125,7 +125,8 @@ void game_open_scene(game *g, int row)
     }
     if (s->opened && g->scene->follow)
         s->follow = wfBodyAt(&g->world, g->scene->follow - 1);
-    if (moments > before) game_tell(g, false, UNDO_HINT), s->told = 6;
+    bool built = moments > before || game_was_changed(s);       /* and it is not here now */
+    if (built) game_tell(g, false, UNDO_HINT), s->told = 6;
 }
 
 static uint32_t controls_of(const wfScene *scene)
@@ -140,8 +141,13 @@ static uint32_t controls_of(const wfScene *scene)
 bool game_drives(const game *g, uint32_t bit)
 {
     const game_state *s = g->state;
-    return !s->mark && !s->menu && !s->ui.focus && !s->ui.typing &&
-           (controls_of(g->scene) & bit);
+    return !s->mark && !game_has_keys(s) && (controls_of(g->scene) & bit);
+}
+
+/* Does a widget, a line or a menu have the keys? */
+bool game_has_keys(const game_state *s)
+{
+    return s->menu || s->ui.focus || s->ui.typing || s->ui.edits || s->ui.open;
 }
 
 bool game_drives_any(const game *g) { return controls_of(g->scene) != 0; }
@@ -150,11 +156,9 @@ bool game_drives_any(const game *g) { return controls_of(g->scene) != 0; }
 void game_find_held(game *g)
 {
     game_state *s = g->state;
-    const game_input *in = g->input;
-    uint32_t keys = in->keys_held, all = controls_of(g->scene);
+    uint32_t keys = (g->input->keys_held & ~s->taken) | g->taps;
+    uint32_t all = controls_of(g->scene);
     if (!all) return;
-    for (int i = 0; i < in->key_count && i < GAME_MAX_KEYS; i++)
-        keys |= game_key_bit(in->keys[i]);
     if (!game_drives(g, all)) keys = 0;
     if (s->grasped) keys |= 1u << (s->grasped - 1);
     s->input.held = keys & all;

@@ -403,12 +403,8 @@ static const headless_command command_table[] = {
 };
 static int usage(void)
 {
-    fputs("use: weft-headless [COMMAND] [--scene NAME] [--steps N] [--input FILE]\n"
-          "      [--png FILE] [--svg FILE] [--film FILE] [--frames DIR]\n"
-          "      [--save-input FILE]\n"
-          "      [--log FILE] [--size WxH] [--scale S] [--folder DIR] [--workers N]\n"
-          "      [SCENE.json]\n",
-          stderr);
+    fputs("use: weft-headless [COMMAND] [OPTION ...] [SCENE.json]\n", stderr);
+    layer_list_options(stderr);
     for (size_t i = 0; i < sizeof command_table / sizeof *command_table; i++)
         fprintf(stderr, "  %-10s %s\n", command_table[i].name, command_table[i].text);
     return 2;

@@ -7,59 +7,86 @@
 #include "weft/save.h"
 
 /* read the options of a platform layer */
-static const char *read_size(const char *text, layer_options *out)
+#define AT(field) offsetof(layer_options, field)
+const layer_option layer_option_table[] = {
+    { "--scene", "NAME", "open this scene", AT(scene), 't', 0, 0 },
+    { "--steps", "N", "end after so many frames", AT(steps), 'i', 0, 1e9 },
+    { "--input", "FILE", "play this input script", AT(input), 't', 0, 0 },
+    { "--save-input", "FILE", "write the input as a script", AT(record), 't', 0, 0 },
+    { "--png", "FILE", "save the last picture", AT(png), 't', 0, 0 },
+    { "--svg", "FILE", "save what was seen last as lines and areas", AT(svg), 't', 0, 0 },
+    { "--film", "FILE", "save all of it as one moving picture", AT(film), 't', 0, 0 },
+    { "--frames", "DIR", "save all of it as pictures in a folder", AT(frames), 't', 0, 0 },
+    { "--log", "FILE", "keep the game's description of itself there", AT(log), 't', 0, 0 },
+    { "--folder", "DIR", "keep files there, not in the user's own", AT(folder), 't', 0, 0 },
+    { "--size", "WxH", "of the picture, in interface units", AT(width), 's', 64, 8192 },
+    { "--scale", "S", "pixels to one interface unit", AT(scale), 'f', 0.5, 4 },
+    { "--workers", "N", "threads; 0: as the program likes", AT(workers), 'i', 0, 64 },
+    { "--game", "FILE", "take the game from this library", AT(library), 't', 0, 0 },
+    { NULL, NULL, NULL, 0, 0, 0, 0 }
+};
+
+/* What the option takes: a text's name, or the numbers that are allowed. */
+static const char *allowed(const layer_option *row, char *out, size_t size)
 {
-    char *end;
-    long width = strtol(text, &end, 10);
-    long height = *end == 'x' ? strtol(end + 1, &end, 10) : 0;
-    if (*end || width < 64 || height < 64 || width > 8192 || height > 8192)
-        return "--size takes WIDTHxHEIGHT, each from 64 to 8192";
-    out->width = (int32_t)width;
-    out->height = (int32_t)height;
-    return NULL;
+    if (row->takes == 't') return row->value;
+    snprintf(out, size, "%s %snumber from %.10g to %.10g",
+             row->takes == 's' ? "WIDTHxHEIGHT, each a" : "a",
+             row->takes == 'f' ? "" : "whole ", row->least, row->most);
+    return out;
 }
 
-static const char *read_amount(const char *name, const char *text, layer_options *out)
+void layer_list_options(FILE *to)
 {
-    char *end;
-    double x = strtod(text, &end);
-    bool scale = strcmp(name, "--scale") == 0;
-    if (end == text || *end || !(x >= (scale ? 0.5 : 0) && x <= (scale ? 4 : 1e9)))
-        return scale ? "--scale takes a number from 0.5 to 4"
-                     : "--steps and --workers take a number";
-    if (scale) out->scale = (float)x;
-    else if (strcmp(name, "--workers") == 0) out->workers = (int32_t)x;
-    else out->steps = (int32_t)x;
-    return NULL;
+    char may[100];
+    for (const layer_option *row = layer_option_table; row->name; row++)
+        fprintf(to, "  %-12s %-5s %s%s%s\n", row->name, row->value, row->text,
+                row->takes == 't' ? "" : ": ",
+                row->takes == 't' ? "" : allowed(row, may, sizeof may));
+}
+
+static bool take_value(const layer_option *row, const char *text, layer_options *out)
+{
+    char *to = (char *)out + row->place, *end;
+    int32_t whole[2] = { 0 }, n = row->takes == 's' ? 2 : 1;
+    if (row->takes == 't') return memcpy(to, &text, sizeof text) != NULL;
+    for (int k = 0; k < n; k++, text = end + 1) {
+        double x = strtod(text, &end);
+        float real = (float)x;
+        bool good = end > text && x >= row->least && x <= row->most;
+        if (!good || *end != (k + 1 < n ? 'x' : 0)) return false;
+        whole[k] = (int32_t)x;
+        if (row->takes == 'f') return memcpy(to, &real, sizeof real) != NULL;
+        if (x > whole[k] || x < whole[k]) return false;
+    }
+    return memcpy(to, whole, sizeof *whole * (size_t)n) != NULL;
+}
+
+static const layer_option *option_of(const char *word)
+{
+    const layer_option *row = layer_option_table;
+    while (row->name && strcmp(word, row->name) != 0) row++;
+    return row->name ? row : NULL;
 }
 
 const char *layer_read_options(int argc, char **argv, layer_options *out)
 {
+    char may[100];
     *out = (layer_options){ .steps = -1, .width = 1100, .height = 700, .scale = 1 };
-    struct { const char *name, **place; } texts[] = {
-        { "--scene", &out->scene }, { "--input", &out->input },
-        { "--save-input", &out->record },
-        { "--png", &out->png }, { "--log", &out->log }, { "--game", &out->library },
-        { "--folder", &out->folder }, { "--svg", &out->svg }, { "--film", &out->film },
-        { "--frames", &out->frames }
-    };
     for (int i = 1; i < argc; i++) {
-        const char **place = NULL, *error = NULL, *name = argv[i];
-        for (size_t t = 0; t < sizeof texts / sizeof *texts; t++)
-            if (strcmp(name, texts[t].name) == 0) place = texts[t].place;
-        bool size = strcmp(name, "--size") == 0;
-        bool amount = strcmp(name, "--steps") == 0 || strcmp(name, "--scale") == 0
-                   || strcmp(name, "--workers") == 0;
-        if (!place && !size && !amount) {
-            const char **word = name[0] == '-' ? &out->command : &out->argument;
-            if (*word) return "more than one command";
-            *word = name;
-            continue;
-        }
-        if (++i == argc) return "the last option wants a value";
-        if (place) *place = argv[i];
-        else error = size ? read_size(argv[i], out) : read_amount(name, argv[i], out);
-        if (error) return error;
+        const layer_option *row = option_of(argv[i]);
+        const char **word = argv[i][0] == '-' ? &out->command : &out->argument;
+        bool none = !row || i + 1 == argc || option_of(argv[i + 1]);
+        const char *value = none ? NULL : argv[i + 1];
+        if (!row && !*word) *word = argv[i];
+        else if (!row)
+            snprintf(out->wrong, sizeof out->wrong, "%.80s and %.80s: only one %s is taken",
+                     *word, argv[i], word == &out->command ? "command" : "scene or file");
+        else if (!value || !take_value(row, value, out))
+            snprintf(out->wrong, sizeof out->wrong, "%s %.60s: it takes %s", row->name,
+                     value ? value : "without a value", allowed(row, may, sizeof may));
+        if (out->wrong[0]) return out->wrong;
+        i += row != NULL;
     }
     return NULL;
 }
@@ -107,6 +134,13 @@ bool layer_resize(layer *l, int32_t width, int32_t height)
     return true;
 }
 
+/* What is wrong with a file or folder is told in a window, too. */
+static bool refuse(layer *l, const char *what, const char *name)
+{
+    snprintf(l->said, sizeof l->said, "!%s: %s", what, name);
+    return complain(what, name);
+}
+
 static void name_text(layer *l, const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -118,12 +152,27 @@ static bool open_scene_file(layer *l, const char *path)
 {
     char error[400];
     FILE *save = is_save(path) ? fopen(path, "rb") : NULL;
-    if (is_save(path) && !save) return complain("can't read the world", path);
+    if (is_save(path) && !save) return refuse(l, "can't read the world", path);
     if (save) fclose(save), layer_bring(l, path);       /* the game has it in a frame */
     if (!ends_with(path, ".json")) return true;
-    if (!(l->scene = read_text(path))) return complain("can't read the scene", path);
+    if (!(l->scene = read_text(path))) return refuse(l, "can't read the scene", path);
+    if (!game_reads_scene(l->scene, error, sizeof error)) return refuse(l, path, error);
     name_text(l, path);
-    return game_reads_scene(l->scene, error, sizeof error) || complain(path, error);
+    return true;
+}
+
+/* Files can be kept there? A try is sooner told than a save that fails an hour later. */
+static bool check_folder(layer *l, const char *option, const char *folder)
+{
+    char what[100], path[1100];
+    if (!folder) return true;
+    snprintf(what, sizeof what, "%s: no file can be kept there; make it a folder that "
+             "you may write to, or name another", option);
+    snprintf(path, sizeof path, "%s/weft-try", folder);
+    FILE *file = fopen(path, "wb");
+    if (!file) return refuse(l, what, folder);
+    fclose(file), remove(path);
+    return true;
 }
 
 static bool open_folder(layer *l)
@@ -142,7 +191,7 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     if (options->library && !game_code_refresh(&l->code, options->library))
         return complain("can't load the game", options->library);
     if (options->scene && !options->library && !game_knows_scene(options->scene))
-        return complain("no such scene (try `weft-headless --list')", options->scene);
+        return complain("--scene: no such scene (weft-headless --list)", options->scene);
     l->memory.permanent_size = GAME_PERMANENT_SIZE;
     l->memory.transient_size = GAME_TRANSIENT_SIZE;
     l->memory.permanent = calloc(1, GAME_PERMANENT_SIZE);
@@ -156,11 +205,12 @@ bool layer_open(layer *l, const layer_options *options, int32_t width, int32_t h
     bool files = options->folder || options->svg || options->film || options->frames ||
                  is_save(options->argument);
     if (files && !open_folder(l)) return complain("out of memory", NULL);
-    if (!open_scene_file(l, options->argument)) return false;
     if (options->record && !(l->record = fopen(options->record, "w")))
         return complain("can't write", options->record);
     l->last.steps = 1;                                  /* as input_script_open begins */
-    return true;
+    bool kept = check_folder(l, "--frames", options->frames);
+    kept &= check_folder(l, "--folder", options->folder);
+    return open_scene_file(l, options->argument) && kept;
 }
 
 void layer_close(layer *l)
@@ -466,16 +516,9 @@ bool layer_finish(layer *l)
 /* live the life of a window */
 static int print_help(void)
 {
-    puts("weft-testbed [SCENE | FILE.json | FILE.save] [OPTION ...]\n"
-         "  --scene NAME        open this scene (weft-headless --list names them)\n"
-         "  --size WxH          the window, in units of the interface (1100x700)\n"
-         "  --scale N           pixels to a unit, 0.5 to 4\n"
-         "  --folder DIR        where worlds, pictures and settings are kept\n"
-         "  --input FILE        play a script of input     --save-input FILE  write one\n"
-         "  --steps N           stop after so many steps   --log FILE        what goes on\n"
-         "  --png FILE, --svg FILE, --film FILE, --frames DIR                pictures\n"
-         "  --workers N         so many threads (as many as cores, up to 4; 1: no others)\n"
-         "  --game LIB.so       take the game from a library, again whenever it is new");
+    puts("weft-testbed [SCENE | FILE.json | FILE.save] [OPTION ...]");
+    layer_list_options(stdout);
+    puts("weft-headless --list names the scenes");
     return 0;
 }
 
@@ -484,6 +527,7 @@ static const char *take_argument(layer_options *o)
 {
     const char *word = o->argument;
     if (!word || ends_with(word, ".json") || is_save(word)) return NULL;
+    if (o->scene) return "--scene names a scene already, and only one is taken";
     if (!game_knows_scene(word) && !o->library)
         return "neither a scene nor a file that ends with .json or .save";
     o->scene = word;
@@ -496,18 +540,17 @@ int layer_main(int argc, char **argv, bool (*run)(layer *l))
     layer_options options;
     layer l;
     char folder[1024];
-    const char *error = layer_read_options(argc, argv, &options);
+    const char *error = layer_read_options(argc, argv, &options), *name = NULL;
     if (!error && options.command && strcmp(options.command, "--help") == 0)
         return print_help();
-    if (!error && options.command) error = "no such option (--help lists them)";
-    if (!error) error = take_argument(&options);
-    if (error) {
-        complain(error, options.command ? options.command : options.argument);
-        return 2;
-    }
+    if (!error && (name = options.command)) error = "no such option (--help lists them)";
+    if (!error && (error = take_argument(&options))) name = options.argument;
+    if (error) return complain(error, name), 2;
     if (!options.workers) options.workers = work_pool_cores();
     if (!options.folder) options.folder = layer_user_folder(folder, sizeof folder);
     bool good = layer_open(&l, &options, 64, 64);
+    if (!good && l.said[0] && options.steps < 0 && !options.input)
+        good = true, l.memory.news = l.said;            /* all else is open */
     l.memory.now = layer_now;
     good = good && run(&l) && layer_finish(&l);
     for (int i = 0; i < 6 && by_hand(&options) && l.frames > 0; i++)

@@ -14,13 +14,24 @@ typedef struct layer_options {
     const char *svg, *film, *frames;    /* sec:platform-pictures */
     const char *command, *argument;     /* an option not in the table; a bare word */
     int32_t steps;                      /* -1: not given */
-    int32_t workers;                    /* who share a step: sec:workers */
-    int32_t width, height;              /* interface units */
+    int32_t workers;                    /* who share a step: sec:workers; 0: not given */
+    int32_t width, height;              /* interface units, one behind the other */
     float scale;
+    char wrong[240];                    /* what was wrong */
 } layer_options;
+
+/* takes: t a text, i a whole number, f a number, s two whole ones with an x between them. */
+typedef struct layer_option {
+    const char *name, *value, *text;
+    size_t place;                       /* in layer_options */
+    char takes;
+    double least, most;                 /* of numbers */
+} layer_option;
+extern const layer_option layer_option_table[];         /* ends with a name that is NULL */
 
 /* Reads the command line. NULL when all is well, or else what is wrong. */
 const char *layer_read_options(int argc, char **argv, layer_options *out);
+void layer_list_options(FILE *to);
 
 /* the game as code that can be exchanged */
 typedef void game_update_fn(game_memory *, const game_input *, frame_buffer *);

@@ -23,7 +23,8 @@ static void menu_remove(game *g, wfBodyId id)
 static void menu_copy(game *g, wfBodyId id)
 {
     tool_work w = game_tools_of(g);
-    tool_copy(&w, id);
+    (void)id;
+    tool_copy_chosen(&w);
 }
 
 static bool is_frozen(const game *g, wfBodyId id)
@@ -45,7 +46,7 @@ static void menu_weigh(game *g, wfBodyId id, wfReal times)
 {
     wfBodyInfo b;
     wfInput in = { .kind = WF_INPUT_MASS };
-    if (wfGetBody(&g->world, id, &b) != WF_OK) return;
+    if (wfGetBody(&g->world, id, &b) != WF_OK || b.type != WF_DYNAMIC) return;
     in.with.x = times * b.mass;
     menu_give(g, id, in);
 }
@@ -132,9 +133,21 @@ static int walk_menu(game_state *s, int before, int rows)
 }
 
 typedef struct menu_row {
-    const char *one, *all;
+    const char *one, *all;              /* for several bodies; NULL: it is for one */
     void (*act)(game *, wfBodyId);
 } menu_row;
+
+/* Only what can be done: nothing weighs what stands still; one body alone is followed. */
+static bool menu_offers(const game *g, const menu_row *row)
+{
+    const tool_memory *m = &g->state->tools;
+    wfBodyInfo b;
+    bool weighs = row->act == menu_heavier || row->act == menu_lighter, any = !weighs;
+    if (g->state->menu == 2) return row->act != menu_paste || m->copies > 0;
+    for (int32_t i = 0; i < m->count && !any; i++)
+        any = wfGetBody(&g->world, m->chosen[i], &b) == WF_OK && b.type == WF_DYNAMIC;
+    return any && (row->all || m->count == 1);
+}
 
 void game_body_menu(ui *u, game *g)
 {
@@ -143,20 +156,24 @@ void game_body_menu(ui *u, game *g)
         { "To the whole scene", 0, menu_home }, { "Stop time", 0, menu_run },
         { "Put the copies", 0, menu_paste } };
     static const menu_row of_body[] = {
-        { "Remove it", "Remove them", menu_remove }, { "Copy it", 0, menu_copy },
+        { "Remove it", "Remove them", menu_remove },
+        { "Copy it", "Copy them", menu_copy },
         { "Freeze it", "Freeze them", menu_freeze },
         { "Twice the mass", "Twice each mass", menu_heavier },
         { "Half the mass", "Half each mass", menu_lighter },
         { "Next colour", "Next colours", menu_colour },
         { "Follow it", 0, menu_follow }, { "Plot it", 0, menu_plot },
-        { "Numbers and joints", 0, menu_numbers } };
+        { "Numbers and joints", "Numbers and joints", menu_numbers } };
     game_state *s = g->state;
     bool ground = s->menu == 2;
-    const menu_row *row = ground ? of_ground : of_body;
-    int rows = ground ? 4 + (s->tools.copies > 0) : (int)(sizeof of_body / sizeof *row);
+    const menu_row *of = ground ? of_ground : of_body, *row[16];
+    int all_rows = (int)(ground ? sizeof of_ground : sizeof of_body) / (int)sizeof *of;
+    int rows = 0;
     wfBodyId id = s->tools.count ? s->tools.chosen[0] : (wfBodyId){ 0, 0 };
     if (s->menu == 1 && !wfBodyIsValid(&g->world, id)) s->menu = 0;
     if (!s->menu) return;
+    for (int i = 0; i < all_rows; i++)
+        if (menu_offers(g, of + i)) row[rows++] = of + i;
     float w = 150, each = ui_row_high(u), h = (float)rows * each + 8;
     float x = s->menu_x + w > s->width ? s->width - w : s->menu_x;
     float y = s->menu_y + h > s->height ? s->height - h : s->menu_y;
@@ -164,18 +181,18 @@ void game_body_menu(ui *u, game *g)
     s->menu_do = 0;
     ui_box(u, x, y, w, h, WF_INK_LINE, WF_INK_PAPER);
     for (int i = 0; i < rows; i++) {
-        bool all = s->tools.count > 1 && row[i].all;
-        const char *name = all ? row[i].all : row[i].one;
-        if (row[i].act == menu_freeze && is_frozen(g, id))
+        bool all = s->tools.count > 1;
+        void (*act)(game *, wfBodyId) = row[i]->act;
+        const char *name = all && !ground ? row[i]->all : row[i]->one;
+        if (act == menu_freeze && is_frozen(g, id))
             name = all ? "Let them move" : "Let it move";
-        if (row[i].act == menu_run && s->paused) name = "Let time run";
-        if (row[i].act == menu_follow && s->follow.index == id.index) name = "Don't follow";
+        if (act == menu_run && s->paused) name = "Let time run";
+        if (act == menu_follow && s->follow.index == id.index) name = "Don't follow";
         if (!ui_row(u, name, x + 4, y + 4 + each * (float)i, w - 8, i == keys) && i != done)
             continue;
-        if (ground) row[i].act(g, id);
-        int last = ground ? -1 : all ? s->tools.count - 1 : 0;
-        for (int k = last; k >= 0; k--)                             /* the first is last */
-            if (k < s->tools.count) row[i].act(g, s->tools.chosen[k]);
+        bool once = ground || act == menu_copy || act == menu_numbers;
+        for (int k = once ? 0 : s->tools.count - 1; k >= 0; k--)    /* the first is last */
+            if (once || k < s->tools.count) act(g, s->tools.chosen[k]);
         s->menu = s->ui.focus = 0;
     }
     if (u->click && !u->draw && !ui_inside(u, x, y, w, h)) s->menu = 0;

@@ -867,8 +867,15 @@ static float compare_panel(ui *u, game *g, float x, float y, float w)
         ui_tip(u, name, wfPlotTable[i].text, left, line, w / 2 - 8, row);
     }
     y += (float)((wfPlotCount + 1) / 2) * row + 6;
-    if (panel_shows(g, y, 26) && ui_button(u, "Curves as CSV", x, y, w, false))
+    const char *why = wfPlotWhyNot(&s->plots, game_curves(s));
+    if (panel_shows(g, y, 26) && why) {
+        char line[60];
+        snprintf(line, sizeof line, "Curves as CSV: %s", why);
+        ui_box(u, x, y, w, 24, WF_INK_FAINT, WF_INK_PAPER);
+        ui_text(u, x + w / 2, y + 16.5f, 13, WF_INK_LINE, 0, line);
+    } else if (panel_shows(g, y, 26) && ui_button(u, "Curves as CSV", x, y, w, false)) {
         press_csv(g);
+    }
     return y + 32;
 }
 

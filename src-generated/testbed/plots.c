@@ -301,6 +301,7 @@ static const char *why_not(const wfPlots *p, int row)
 {
     if (row == WF_PLOT_STAGES && !p->clocked) return "nobody lends a clock here";
     if (row >= WF_PLOT_BODY && !p->body.index) return "choose a body";
+    if (row == WF_PLOT_ERROR && p->others < 1) return "compare two worlds";
     if (row != WF_PLOT_STAGES || p->staged > 0) return NULL;
     return p->staged < 0 ? "a scene with hooks: not timed" : "not timed yet";
 }
@@ -333,6 +334,14 @@ void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w,
 }
 
 /* write plots as text */
+const char *wfPlotWhyNot(const wfPlots *p, uint32_t rows)
+{
+    const char *why = "choose a curve";
+    for (int row = 0; row < wfPlotCount && why; row++)
+        if (rows >> row & 1) why = why_not(p, row);
+    return why;
+}
+
 size_t wfPlotText(const wfPlots *p, uint32_t rows, char *text, size_t size)
 {
     wfWriter c = { text, size, 0 };

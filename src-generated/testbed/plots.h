@@ -48,6 +48,8 @@ double wfNiceAxis(double least, double most, int about, double *from, double *to
    with a line of names. Returns the bytes needed; what doesn't fit into size is left
    out. */
 size_t wfPlotText(const wfPlots *plots, uint32_t rows, char *text, size_t size);
+/* Why there is nothing to write of these rows; NULL: at least one is known. */
+const char *wfPlotWhyNot(const wfPlots *plots, uint32_t rows);
 /* Draws a row into the box with the lower left corner x, y (y up, units of the view). */
 void wfDrawPlot(wfDraw *d, int row, const wfPlots *plots, float x, float y, float w,
                 float h);

@@ -153,9 +153,7 @@ static void tell_paused(game *g)
 {
     const game_input *in = g->input;
     uint32_t keys = in->pressed && g->state->grasped ? 1u << (g->state->grasped - 1) : 0;
-    for (int i = 0; i < in->key_count && i < GAME_MAX_KEYS; i++)
-        keys |= game_key_bit(in->keys[i]);
-    if (game_drives(g, keys)) game_tell(g, false, "paused: Play lets time run");
+    if (game_drives(g, keys | g->taps)) game_tell(g, false, "paused: Play lets time run");
 }
 
 void game_step_world(game *g)

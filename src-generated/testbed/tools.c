@@ -849,21 +849,27 @@ static void give_kick(tool_work *w)
         return;
     }
     wfVec2 v = kick_of(m);
+    if (wfLength(v) < WF_R(0.05)) {
+        say_no(w->memory, "press on a body, pull, let go");
+        return;
+    }
     wfInput in = { .kind = WF_INPUT_IMPULSE, .index = m->body.index,
                    .generation = m->body.generation };
     in.with.at = wfWorldBodies(w->world).state[i].p;
     in.with.by = wfScale(1 / share, v);
     wfResult result = tool_put(w, &in, NULL);
-    say(w->memory, result, result ? "not kicked" : "kicked: %.1f m/s",
-        (double)wfLength(v));
+    say(w->memory, result, result ? "not kicked" : m->stands
+        ? "kicked: %.1f m/s, as time runs" : "kicked: %.1f m/s", (double)wfLength(v));
 }
 
 static void draw_kick(const tool_work *w, wfDraw *d)
 {
     const tool_memory *m = w->memory;
     int32_t i = wfBodyIndex(w->world, m->body);
-    if (!m->down || i < 0) return;
-    wfVec2 from = wfWorldBodies(w->world).state[i].p, v = kick_of(m);
+    if (i < 0 || !(m->down || m->stands)) return;
+    const wfBodyState *b = &wfWorldBodies(w->world).state[i];
+    wfVec2 from = b->p, v = m->down ? kick_of(m) : b->v;
+    if (!(wfLength(v) > 0)) return;
     wfVec2 to = wfAddScaled(from, 10 * m->unit, v);
     wfDrawArrow(d, WF_XY(from), WF_XY(to), 2, WF_INK_ACCENT);
     wfDrawTextf(d, WF_XY(to), 13, WF_INK_TEXT, 0, "%.1f m/s", (double)wfLength(v));

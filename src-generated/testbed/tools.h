@@ -26,7 +26,7 @@ typedef struct tool_memory {
     wfReal  reach;                  /* m: how far beside a body a press still hits it */
     wfReal  top;                    /* m: the upper edge of what is seen */
     float   view;                   /* m: the lesser side of the whole picture */
-    int32_t heavy;                  /* bars are of steel, whatever is chosen */
+    int32_t heavy, stands;          /* bars are of steel, whatever is chosen; time stands */
     wfBodyId body;                  /* what lay under `from'; index 0: nothing */
     int32_t points;                 /* of what is drawn by hand, m */
     wfVec2  point[TOOL_POINTS];
@@ -101,9 +101,10 @@ wfJointId tool_pick_joint(const tool_work *w, wfVec2 at, wfJointId last);
 void tool_choose_joint(tool_work *w, wfJointId id);     /* alone; index 0: none */
 /* Removes all that are chosen, or the joint. */
 void tool_remove_chosen(tool_work *w);
-/* Makes another body like this one, with its nails, beside it, and chooses it; of all that
- * Ctrl-C took, with the joints between them. If there is no room, nothing changes. */
-void tool_copy(tool_work *w, wfBodyId id);
+/* Makes other bodies like the chosen ones, with their nails and the joints between them,
+ * beside them, and chooses these; or of all that Ctrl-C took. If there is no room, nothing
+ * changes. */
+void tool_copy_chosen(tool_work *w);
 void tool_copy_all(tool_work *w);
 void tool_place(tool_work *w);          /* what Place is set to, from `from' to `at' */
 /* Puts a body so that its grip, in its frame, is at the mouse; NULL: it does not turn. */

@@ -11,6 +11,7 @@ tool_work game_tools_of(game *g)
     s->tools.unit = (wfReal)(s->scale / camera_scale(&s->camera));
     s->tools.reach = (s->finger ? 20 : 4) * s->tools.unit;
     s->tools.heavy = g->scene->alias != NULL;
+    s->tools.stands = s->paused;
     float corner[2];
     camera_pick(&s->camera, s->camera.left, s->camera.top, corner);
     s->tools.top = (wfReal)corner[1];
@@ -121,5 +122,11 @@ void game_redo(game *g)
     bool can = s->undo_at + 1 < s->undo_count;
     game_tell(g, !can, can ? "done again" : "there is nothing to redo");
     if (can) game_leave_world(g, 0);
-    if (can) go_to(g, s->undo_at + 1, s->undo[s->undo_at].step);
+    if (!can) return;
+    go_to(g, s->undo_at + 1, s->undo[s->undo_at].step);
+    uint64_t oldest, newest = 0, now = wfWorldSteps(&g->world);
+    if (wfRewindReach(&g->ring, &oldest, &newest) == WF_OK && newest >= now) return;
+    wfRewindKeep(&g->ring, &g->world);      /* the bar ends here, before the next step */
+    s->ring_due = 0;
+    game_note_ring(g);
 }

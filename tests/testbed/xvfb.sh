@@ -39,6 +39,10 @@ told "can't read the scene" "$work/folder.json"
 told "can't read the scene" "$work/none.json"
 told "can't read the world" "$work/none.save"
 told 'no such option' --sceen
+told 'steps -5: it takes a whole number from 0' --steps -5
+told 'workers -3: it takes a whole number from 0 to 64' --workers -3
+told 'only one scene or file' "$work/bad.json" "$work/none.json"
+told "nowhere" --folder "$work/nowhere"
 SDL_VIDEODRIVER=x11 DISPLAY=:nowhere "$program" --steps 3 >"$work/said" 2>&1 && { echo "xvfb.sh: without a display it leaves with 0"; exit 1; }
 grep -q 'no display' "$work/said" || { echo "xvfb.sh: without a display it says: $(cat "$work/said")"; exit 1; }
 SDL_VIDEODRIVER=dummy timeout 60 "$program" dominoes --steps 3 --folder "$work" --log "$work/dummy"
@@ -223,6 +227,13 @@ is bodies 3 || fail "it has $(fact bodies) bodies"
 import -window root "$out/testbed-dropped.png"
 echo "drop $work/mine.weft" >> "$work/events"
 until_true "a saved world that is dropped is opened" is scene "race car"
+kill -TERM "$app"; wait "$app" || fail "the program left badly"
+app=
+# -- what is wrong with a file is told in the window: who clicked on it sees no terminal
+rm -f "$log"
+SDL_RENDER_DRIVER=software "$program" "$work/half.json" --folder "$work" --log "$log" 2>/dev/null & app=$!
+for i in $(seq 200); do [ -s "$log" ] && break; sleep 0.1; done
+until_true "a bad file on the command line is told in the window" says 'half.json: line 2'
 kill -TERM "$app"; wait "$app" || fail "the program left badly"
 app=
 # -- twice the size asks for more than the screen has: the window fits it
