@@ -367,11 +367,22 @@ TEST(a_number_can_be_typed_and_the_address_knows)
     play_run(&p, "scene Tower\nframe\n");
     link_is(&p, "scene=tower");
     assert_true(game_set(&p.memory, "gravity", -2));        /* what an address asks for is nobody's work */
-    assert_false(game_has_work(&p.memory));
+    assert_int_equal(game_has_work(&p.memory), 2);          /* Undo would bring the boxes' -3.5 back */
     play_type(&p, "gravity.y", "key 9\nkey enter");
-    assert_true(game_has_work(&p.memory));
+    assert_int_equal(game_has_work(&p.memory), 1);
     assert_true(game_set(&p.memory, "gravity", -3));
-    assert_true(game_has_work(&p.memory));
+    assert_int_equal(game_has_work(&p.memory), 1);
+    play_run(&p, "scene pyramid\nframe\n");               /* now only Undo can reach it, and does */
+    assert_int_equal(game_has_work(&p.memory), 2);
+    play_click(&p, "Undo");
+    link_is(&p, "scene=tower&gravity.x=0&gravity.y=-3");
+    assert_int_equal(game_has_work(&p.memory), 1);
+    play_end(&p);
+    p = play_open(1100, 700, 1);
+    assert_int_equal(game_has_work(&p.memory), 0);
+    play_run(&p, "scene Tower\nframe\n");
+    assert_true(game_set(&p.memory, "gravity", -2));
+    assert_int_equal(game_has_work(&p.memory), 0);
     play_end(&p);
 }
 
