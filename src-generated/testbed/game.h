@@ -70,6 +70,7 @@ typedef struct game_state {
     /* what the game remembers of settings and time */
     uint32_t wanted_on, wanted_off;     /* overlays, other than the scene says */
     tool_memory tools;
+    int32_t more;                       /* the row of more buttons is shown */
     int32_t again;                      /* 1 + a button that stays under the mouse; 0: none */
     float again_at[4];                  /* ... where: its middle and size, pixels */
     wfBodyId hover;                     /* the body under the mouse; index 0: none */
