@@ -367,6 +367,11 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
         const body_line *line = &body_lines[i];
         if (!panel_shows(g, y, high)) continue;
         bool asked = g->state->sought >> line->input & 1;
+        if (i == B_FRICTION && g->scene->untold == 1 + wfBodyIndex(&g->world, id)) {
+            ui_text(u, x, y + high / 2 + 4, 13, WF_INK_TEXT, -1, line->name);
+            ui_text(u, x + w - 6, y + high / 2 + 4, 13, WF_INK_TEXT, 1, "?");
+            continue;
+        }
         if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, high);
