@@ -564,7 +564,7 @@ static float joint_panel(ui *u, game *g, wfJointId id, float x, float y, float w
 static float joint_rows(ui *u, game *g, wfBodyId id, float x, float y, float w)
 {
     wfJointId at = wfNextJoint(&g->world, id, (wfJointId){ 0, 0 });
-    float high = ui_row_high(u);
+    float high = ui_bar_high(u), first = y;
     for (; at.index; at = wfNextJoint(&g->world, id, at), y += high) {
         wfJoint j;
         char name[GAME_NAME_SIZE];
@@ -572,9 +572,9 @@ static float joint_rows(ui *u, game *g, wfBodyId id, float x, float y, float w)
         snprintf(name, sizeof name, "joint %d: %s", (int)at.index - 1,
                  tool_joint_name(&j));
         tool_work t = game_tools_of(g);
-        if (ui_row(u, name, x, y, w, false)) tool_choose_joint(&t, at);
+        if (ui_button(u, name, x, y + 3, w, false)) tool_choose_joint(&t, at);
     }
-    return y;
+    return y > first ? y + 2 : y;
 }
 
 void game_say_joint(wfWriter *w, const game *g)
