@@ -112,7 +112,7 @@
       follow(true);
       sessionStorage.removeItem(here());
       const now = going ? '' : link();
-      if (!now || now.startsWith('challenge=') || !game.act(x => x.web_work())) return;
+      if (!now || now.startsWith('challenge=') || game.act(x => x.web_work()) !== 1) return;
       if (game.act(x => x.web_letters())) game.key(27);
       frames();
       keeping = `${Date.now()}\n${/^paused 1$/m.test(game.describe()) ? 1 : 0}\n`;

@@ -4,13 +4,16 @@
 # packed by xz, as text. With binaryen's wasm-split the testbed comes in two: testbed.wasm has the functions that OUT/first.list names, and
 # testbed-rest.wasm what is asked for later; without it, in one. Needs clang, wasm-ld, xz, Debian's wasi-libc and clang's builtins for wasm32;
 # the linker must not leave a single import: a module asks nothing of the page but its own rest.
-# (binaryen's wasm-opt makes a module a sixth smaller, and what is packed of it not at all: it isn't used.)
+# binaryen's wasm-opt puts constants into the addresses of loads and stores, which needs the first 1,024 bytes of memory unused (--global-base),
+# and makes the packed testbed a ninetieth smaller. All that it knows (-Oz) makes a module a sixth smaller, and what is packed of it larger.
 SRC ?= build/weave/src
 OUT ?= build/web
 NW ?= $(shell tangle/chapters)
 WEBCC ?= $(firstword $(foreach c,clang clang-19 clang-18 clang-17 clang-16 clang-15 clang-14,$(if $(shell command -v $(c)),$(c))))
 WEBLD ?= $(firstword $(foreach c,wasm-ld wasm-ld-19 wasm-ld-18 wasm-ld-17 wasm-ld-16 wasm-ld-15 wasm-ld-14,$(if $(shell command -v $(c)),$(c))))
 SPLIT ?= $(shell command -v wasm-split)
+WASM := --enable-bulk-memory --enable-simd --enable-nontrapping-float-to-int --enable-mutable-globals --enable-sign-ext
+OPT := $(if $(shell command -v wasm-opt),wasm-opt $(WASM) --low-memory-unused --optimize-added-constants --rse --code-folding --merge-blocks --reorder-locals,:)
 SYSROOT ?= /usr
 RT := $(firstword $(wildcard $(shell $(WEBCC) -print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a))
 FILES := $(filter-out %.schema.json,$(wildcard testbed/scenes/*.json))
@@ -18,7 +21,7 @@ CJSON_SRC ?= build/cjson
 HAVE_CJSON := $(shell [ -d $(CJSON_SRC) ] || tangle/cjson $(CJSON_SRC) >&2; ls $(CJSON_SRC)/cjson/cJSON.c 2>/dev/null)
 FLAGS = --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=off -fno-math-errno -mbulk-memory -mnontrapping-fptoint \
          -flto -ffunction-sections -fdata-sections -DNDEBUG -DWF_ENGINE -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -I$(OUT) -idirafter $(STB)
-LINK = $(WEBLD) --no-entry --gc-sections --lto-O2 -mllvm --enable-merge-functions -L$(SYSROOT)/lib/wasm32-wasi
+LINK = $(WEBLD) --no-entry --global-base=1024 --gc-sections --lto-O2 -mllvm --enable-merge-functions -L$(SYSROOT)/lib/wasm32-wasi
 FONT_SIZES := 13 26
 FONT_FLAGS := --ascii
 FONTCC = $(WEBCC) $(FLAGS)
@@ -71,28 +74,32 @@ $(OUT)/obj/pages/%/.stamp: $(OUT)/gen/%/.stamp $(SRC)/figures/table.c $(SRC)/fig
 	@for c in $(OUT)/gen/$*/figures/*.c $(SRC)/figures/table.c; do $(WEBCC) -I$(OUT)/gen/$* $(FLAGS) -w -c $$c -o $(@D)/$$(basename $$c .c).o || exit 1; done; touch $@
 $(OUT)/figures-%.wasm: $(OUT)/obj/pages/%/.stamp $(FIGURES)
 	@$(LINK) --strip-all $(OUT)/obj/pages/$*/*.o $(FIGURES) -lc $(RT) -o $@
+	@$(OPT) $@ -o $@
 
 # The whole testbed, with its functions' names; its two parts have none.
 $(OUT)/whole.wasm: $(TESTBED)
 	@$(LINK) --strip-debug -Map=$(OUT)/whole.map $^ -lc $(RT) -o $@
+	@$(OPT) -g $@ -o $@
 # Functions that the whole has under a name of the list; the compiler tells two of one name apart by a number.
 $(OUT)/first.list: $(OUT)/whole.wasm tangle/web.first
 	@sed -nE 's/.*:\(([^() ]+)\)$$/\1/p' $(OUT)/whole.map | awk 'NR == FNR { if (!/^#/) first[$$1]; next } { n = $$1; sub(/\.[0-9]+$$/, "", n); if (n in first) print $$1 }' tangle/web.first - | sort -u > $@
 $(OUT)/testbed.wasm: $(OUT)/whole.wasm $(OUT)/first.list
 ifneq ($(SPLIT),)
-	@$(SPLIT) --quiet --split --enable-bulk-memory --enable-simd --enable-nontrapping-float-to-int --enable-mutable-globals --enable-sign-ext \
-	  --keep-funcs=@$(OUT)/first.list $< -o1 $@ -o2 $(OUT)/testbed-rest.wasm
+	@$(SPLIT) --quiet --split $(WASM) --keep-funcs=@$(OUT)/first.list $< -o1 $@ -o2 $(OUT)/testbed-rest.wasm
 $(OUT)/testbed-rest.wasm: $(OUT)/testbed.wasm ;
 $(OUT)/live-testbed.js: $(OUT)/live-testbed-rest.js
 else
 	@$(LINK) --strip-all $(TESTBED) -lc $(RT) -o $@
+	@$(OPT) $@ -o $@
 endif
 $(OUT)/one.wasm: $(TESTBED)
 	@$(LINK) --strip-all $(TESTBED) -lc $(RT) -o $@
+	@$(OPT) $@ -o $@
 $(OUT)/%.wasm.lzma: $(OUT)/%.wasm
-	@xz -c --format=lzma --lzma1=preset=9e,pb=0,nice=96 $< > $@
+	@xz -c --format=lzma --lzma1=preset=9e,pb=0,nice=64 $< > $@
 $(OUT)/live-%.js: $(OUT)/%.wasm.lzma
 	@{ printf 'WEFT_LIVE("%s",%d,"' $* $$(wc -c < $(OUT)/$*.wasm); base64 -w0 $<; printf '");\n'; } > $@
 	@echo "web: $*: $$(wc -c < $(OUT)/$*.wasm) bytes, $$(wc -c < $<) packed"
 .SECONDARY:
+%.d: ;
 -include $(wildcard $(OUT)/obj/*/*.d)

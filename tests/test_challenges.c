@@ -228,6 +228,8 @@ static void refused(play *p, const char *how, int why)
 TEST(what_is_not_allowed_does_not_count)
 {
     play p;
+    float at[2];
+    char script[200];
     prepare(&p, "bridge");                                              /* no weight before */
     assert_true(game_set(&p.memory, "gravity.y", 0));
     refused(&p, "gravity off", FOUL_SETTINGS);
@@ -239,6 +241,15 @@ TEST(what_is_not_allowed_does_not_count)
     open_challenge(&p, "bridge");                                       /* a lighter load */
     number(&p, 0, 0.69, "mass", "1");
     refused(&p, "a load of 1 kg", FOUL_CHANGE);
+    open_challenge(&p, "floor");                                        /* the upper floor's friction isn't told, nor can it be set */
+    pixel(&p, 6, 1.75, at);
+    snprintf(script, sizeof script, "steps 0\nmove %.2f %.2f\nframe\ndown left\nframe\nup left\nframe\nkey s\nframe\nframe\n", (double)at[0], (double)at[1]);
+    play_run(&p, script);
+    play_click(&p, "Body");
+    assert_near(play_fact(&p, "chosen-body", 0), 0, 0);
+    assert_non_null(play_line(&p, "widget restitution"));
+    assert_null(play_line(&p, "widget friction"));
+    play_end(&p);
     open_challenge(&p, "floor");                                        /* the block is made rougher, not the floor */
     number(&p, -5, 0.3, "friction", "0.37");
     refused(&p, "another block", FOUL_CHANGE);
@@ -247,8 +258,6 @@ TEST(what_is_not_allowed_does_not_count)
     refused(&p, "another ground", FOUL_CHANGE);
     open_challenge(&p, "bridge");                                       /* a nail in the air under the load: Pin */
     play_click(&p, "Pin");
-    float at[2];
-    char script[200];
     pixel(&p, 0, 0.69, at);
     snprintf(script, sizeof script, "steps 0\nmove %.2f %.2f\nframe\ndown left\nframe\nup left\nframe\n", (double)at[0], (double)at[1]);
     play_run(&p, script);

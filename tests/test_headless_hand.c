@@ -315,7 +315,8 @@ TEST(a_click_beside_the_menu_closes_it_and_a_pull_opens_none)
     play_run(&p, script);
     assert_int_equal((int)play_fact(&p, "menu", 0), 0);
     assert_true(fabs((double)pixel_of(&p, "body 6", 0) - x - 60) < 0.5);
-    x += 60;                                                /* a finger that rests */
+    play_run(&p, "finger 1\nframe\nframe\n");               /* its buttons are higher */
+    x = (double)pixel_of(&p, "body 6", 0), y = (double)pixel_of(&p, "body 6", 1);       /* a finger that rests */
     snprintf(script, sizeof script, "finger 1\nmove %g %g\nframe\ndown left\nframe\nseconds 0.1\nwait 9\n", x, y);
     play_run(&p, script);
     assert_int_equal((int)play_fact(&p, "menu", 0), 1);
@@ -367,11 +368,22 @@ TEST(a_number_can_be_typed_and_the_address_knows)
     play_run(&p, "scene Tower\nframe\n");
     link_is(&p, "scene=tower");
     assert_true(game_set(&p.memory, "gravity", -2));        /* what an address asks for is nobody's work */
-    assert_false(game_has_work(&p.memory));
+    assert_int_equal(game_has_work(&p.memory), 2);          /* Undo would bring the boxes' -3.5 back */
     play_type(&p, "gravity.y", "key 9\nkey enter");
-    assert_true(game_has_work(&p.memory));
+    assert_int_equal(game_has_work(&p.memory), 1);
     assert_true(game_set(&p.memory, "gravity", -3));
-    assert_true(game_has_work(&p.memory));
+    assert_int_equal(game_has_work(&p.memory), 1);
+    play_run(&p, "scene pyramid\nframe\n");               /* now only Undo can reach it, and does */
+    assert_int_equal(game_has_work(&p.memory), 2);
+    play_click(&p, "Undo");
+    link_is(&p, "scene=tower&gravity.x=0&gravity.y=-3");
+    assert_int_equal(game_has_work(&p.memory), 1);
+    play_end(&p);
+    p = play_open(1100, 700, 1);
+    assert_int_equal(game_has_work(&p.memory), 0);
+    play_run(&p, "scene Tower\nframe\n");
+    assert_true(game_set(&p.memory, "gravity", -2));
+    assert_int_equal(game_has_work(&p.memory), 0);
     play_end(&p);
 }
 

@@ -200,6 +200,15 @@ TEST(joints_are_found_from_their_bodies_and_by_clicks)
     play_click(&p, "Numbers and joints");
     assert_int_equal((int)play_fact(&p, "panel", 0), 1);
     assert_true(has(&p, "mass") && has(&p, "joint 0: revolute") && has(&p, "joint 1: revolute"));
+    play_run(&p, "move 3 300\nframe\nframe\n");             /* each is framed, as all that can be clicked is */
+    for (int k = 0; k < 2; k++) {
+        const char *label = k ? "widget joint 1: revolute pixel" : "widget joint 0: revolute pixel";
+        int px = (int)play_fact(&p, label, 0), py = (int)play_fact(&p, label, 1), framed = 0;
+        for (int dy = 8; dy < 18; dy++)
+            for (int way = -1; way <= 1; way += 2)
+                framed += p.buffer.pixels[(py + way * dy) * p.buffer.width + px + 100] != p.buffer.pixels[py * p.buffer.width + px + 100];
+        assert_true(framed >= 2);
+    }
     play_click(&p, "joint 1: revolute");
     assert_int_equal((int)play_fact(&p, "joint", 0), 1);
     drag(&p, "g", BX, BY, BX + 40, BY);                         /* a drag means the body */

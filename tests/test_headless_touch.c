@@ -1,6 +1,6 @@
 /* The testbed under fingers, and tips: what a finger that comes down, moves and goes up does to widgets, lists and the world; and distances of the wheel. */
 #include "play.h"
-#include "testbed/tools.h"
+#include "testbed/panels.h"
 
 static double widget(play *p, const char *name, int n)
 {
@@ -99,6 +99,87 @@ TEST(the_tools_of_a_telephone_take_two_rows)
                 before = at[0];
             }
         }
+        play_end(&p);
+    }
+}
+
+/* Every tool with every page of Settings in every size: its choices lie neither on the tools, nor on the panel's tabs, nor on each other. */
+TEST(choices_of_a_tool_lie_on_nothing)
+{
+    static const int sizes[][3] = { { 390, 800, 1 }, { 360, 600, 1 }, { 844, 346, 1 }, { 667, 331, 1 }, { 568, 276, 1 }, { 800, 400, 0 }, { 1366, 700, 0 } };
+    static const char *tabs[] = { "World", "Body", "Needs", "Files", "See", "Compare" };
+    assert_int_equal(game_panel_count(), sizeof tabs / sizeof *tabs);
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        char script[100];
+        void (*hit)(play *, const char *) = sizes[k][2] ? press : play_click;
+        play p = play_open(2 * sizes[k][0], 2 * sizes[k][1], 2);
+        p.sparing = true;
+        snprintf(script, sizeof script, "finger %d\nsteps 0\nscene tower\nframe\nframe\n", sizes[k][2]);
+        play_run(&p, script);
+        if (!play_line(&p, "widget Place")) hit(&p, "Tools");
+        hit(&p, "Settings");
+        const game_state *s = p.memory.permanent;
+        double u = (double)s->scale;
+        for (int i = 0; i < toolCount; i++) {
+            hit(&p, toolTable[i].name);
+            for (int tab = 0; tab < game_panel_count(); tab++) {
+                hit(&p, tabs[tab]);
+                double last = widget(&p, toolTable[toolCount - 1].name, 0), row = widget(&p, toolTable[0].name, 1), each = 1e6, x[TOOL_CHOICES], y = 0;
+                for (int j = 1; j < toolCount; j++) each = fmin(each, widget(&p, toolTable[j].name, 0) - widget(&p, toolTable[j - 1].name, 0));
+                int n = 0;
+                for (int c = 0; c < TOOL_CHOICES; c++)
+                    if (toolTable[i].choices & 1u << c) x[n++] = widget(&p, toolChoices[c].name, 0), y = widget(&p, toolChoices[c].name, 1);
+                if (n == 0) continue;
+                double right = 2 * sizes[k][0] - 8 * u, wide = 2 * (right - x[n - 1]), top = (double)game_panel_top(s) * u;
+                for (int j = 1; j < n; j++)
+                    if (x[j] - x[j - 1] < 60 * u) fail_msg("%d x %d, %s: choices at %g and %g", sizes[k][0], sizes[k][1], toolTable[i].name, x[j - 1], x[j]);
+                bool beside = fabs(y - row) < 18 * u;
+                if (beside && sizes[k][2] && x[0] - fmin(wide, 106 * u) / 2 < last + each / 2 - 3 * u)
+                    fail_msg("%d x %d, %s: its choice at %g lies on a tool at %g", sizes[k][0], sizes[k][1], toolTable[i].name, x[0], last);
+                if (!beside && fabs(y - row) < 23 * u) fail_msg("%d x %d, %s: choices at %g, tools at %g", sizes[k][0], sizes[k][1], toolTable[i].name, y, row);
+                if (y + 10 * u > top || y + 22 * u > widget(&p, tabs[tab], 1))
+                    fail_msg("%d x %d, %s, %s: choices at %g, the panel begins at %g", sizes[k][0], sizes[k][1], toolTable[i].name, tabs[tab], y, top);
+            }
+        }
+        play_end(&p);
+    }
+}
+
+/* On a telephone upright the buttons take one row, and a second one with "More" or the tools; each has 44 pixels of the page. Lying, the scene's
+   sentence stands whole on the picture. */
+TEST(the_buttons_of_a_telephone_take_two_rows)
+{
+    static const char *first[] = { "List", "Tools", "Pause", "Reset", "Undo", "More", "Settings" };
+    static const char *more[] = { "Step", "Redo", "Previous", "Next", "Home", "Size", "Dark" };
+    static const int sizes[][2] = { { 390, 800 }, { 360, 600 }, { 844, 346 } };
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        play p = play_open(2 * sizes[k][0], 2 * sizes[k][1], 2);
+        play_run(&p, "finger 1\nsteps 0\nscene tower\nframe\nframe\n");
+        double head = (double)((const game_state *)p.memory.permanent)->head, y = widget(&p, "List", 1);
+        for (int i = 0; i < 7; i++) {
+            assert_near(widget(&p, first[i], 1), y, 0.1);
+            if (i > 0 && widget(&p, first[i], 0) - widget(&p, first[i - 1], 0) < 88) fail_msg("%d: %s is narrow", sizes[k][0], first[i]);
+        }
+        assert_null(play_line(&p, "widget Home"));
+        const game_state *s = p.memory.permanent;
+        int ink = 0, right = (int)widget(&p, "Settings", 0) + (int)(25 * s->scale);
+        for (int row = (int)(28 * s->scale); s->height < 420 && row < (int)(36 * s->scale); row++)      /* the second line, behind the buttons */
+            for (int x = right; x < p.buffer.width; x++) ink += p.buffer.pixels[row * p.buffer.width + x] != p.buffer.pixels[0];
+        if (s->height < 420) assert_true(ink > 20);
+        press(&p, "More");
+        for (int i = 0; i < 7; i++) {
+            if (widget(&p, more[i], 1) - y < 88) fail_msg("%d: %s is at %g, the row above at %g", sizes[k][0], more[i], widget(&p, more[i], 1), y);
+            assert_near(widget(&p, more[i], 1), widget(&p, "Step", 1), 0.1);
+            if (i > 0 && widget(&p, more[i], 0) - widget(&p, more[i - 1], 0) < 88) fail_msg("%d: %s is narrow", sizes[k][0], more[i]);
+        }
+        press(&p, "Tools");                                     /* the tools take the place of the others */
+        assert_null(play_line(&p, "widget Home"));
+        assert_near(widget(&p, "Place", 1) - y, 90, 2);
+        press(&p, "More");
+        assert_non_null(play_line(&p, "widget Home"));
+        assert_null(play_line(&p, "widget Place"));
+        press(&p, "More");
+        assert_near((double)((const game_state *)p.memory.permanent)->head, head, 0.01);
         play_end(&p);
     }
 }

@@ -94,7 +94,7 @@ float game_card(ui *u, game *g, float x)
     if (!u->draw && first && !s->waits && g->input->steps < 0) s->paused = s->waits = 1;
     y = ui_wrapped(u, x, y, room, WF_INK_TEXT, g->scene->text);
     y = ui_wrapped(u, x, y, room, WF_INK_ACCENT, c->may);
-    bar b = { x, s->width - 8, x, y - 9, false, 0, 0 };
+    bar b = { x, s->width - 8, x, y - 9, false, 0, 0, 4 };
     if (first && bar_button(u, &b, "Start", false, "let time run"))
         s->paused = 0, s->panel &= !game_panel_covers(s);
     if (!first && bar_button(u, &b, "Again", false, "to the first step, as it was built"))

@@ -245,6 +245,7 @@ static const wfScene row[] = {
       .chapter = "friction",
       .text = "Make the lower floor as rough as the upper one: both blocks must stop abreast.",
       .define = roughest_wins_not, .build = build_unknown_floor, .draw = draw_where_it_stopped,
+      .untold = 1,
       VIEW(0, 1, 8), SHAPE(1.9), PROMISE(-1, -1) },
     { .category = "Challenges", .name = "up to the line", .alias = "challenge=bounce",
       .chapter = "impulses",

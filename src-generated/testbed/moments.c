@@ -72,10 +72,11 @@ bool game_was_changed(const game_state *s)
     return s->undo_at > 0 && s->undo[s->undo_at - 1].row == s->row;
 }
 
-bool game_has_work(const game_memory *memory)
+int32_t game_has_work(const game_memory *memory)
 {
     const game_state *s = memory->permanent;
-    return s->begun && s->size == sizeof *s && game_was_changed(s);
+    if (!s->begun || s->size != sizeof *s || s->undo_at == 0) return 0;
+    return game_was_changed(s) ? 1 : 2;
 }
 
 int32_t game_keep_for_undo(game *g, bool always)

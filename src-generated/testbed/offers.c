@@ -53,7 +53,7 @@ void game_offer(ui *u, game *g, float x, float beside)
         { "Tilt", "down is a bit to the right; again: back", tilt } };
     game_state *s = g->state;
     float y = s->head + 8;                      /* what rests, rests below */
-    bar b = { x, s->width - 8 - game_beside(s), x, y, false, 0, 0 };
+    bar b = { x, s->width - 8 - game_beside(s), x, y, false, 0, 0, 4 };
     if (s->height >= LOW && b.right - x > 800)  /* behind the scene's name */
         b.x = b.left = b.right - 280, b.y = beside;
     else

@@ -21,7 +21,7 @@ typedef struct button_row {
 typedef struct bar {
     float left, right, x, y;
     bool terse;                         /* icons alone */
-    float least, icon;                  /* the width of the next, at least; of icons */
+    float least, icon, gap;             /* the width of the next, at least; of icons */
 } bar;
 enum { TAB_BODY = 1 };               /* a row of the panels */
 enum { B_MASS, B_DENSITY, B_BOUNCE, B_FRICTION, B_DRAG, B_SPIN_DRAG, B_VX, B_VY, B_SPIN,

@@ -130,9 +130,9 @@ bool game_set(game_memory *memory, const char *name, double value);
    that the user has changed. Returns the length, as game_describe does. */
 size_t game_link(game_memory *memory, char *text, size_t size);
 
-/* Has the user changed the scene's world (a page asks before it goes then)? Does he type
-   letters or a number (it raises a keyboard for a finger then)? */
-bool game_has_work(const game_memory *memory);
+/* 1: the user has changed the world; 2: one that Undo would bring back; 0 (a page asks before
+   it goes, otherwise). Does he type letters or a number (a finger needs a keyboard then)? */
+int32_t game_has_work(const game_memory *memory);
 bool game_wants_letters(const game_memory *memory);
 
 /* What is going on, as lines of words: `scene stack', `paused 0', `body 3 x 1.5 y 2 pixel

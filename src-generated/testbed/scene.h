@@ -57,6 +57,7 @@ typedef struct wfScene {
     const char *change;                     /* words for what T does; NULL: nothing */
     int32_t points;             /* 1: it looks where the mouse is; 2: and Q, E turn that */
     const char *alias;                      /* another name: in addresses; or NULL */
+    int32_t untold;             /* 1 + the body whose friction isn't told; 0: none */
 } wfScene;
 /* The scenes of a file. */
 typedef struct wfSceneGroup { const wfScene *scene; size_t count; } wfSceneGroup;

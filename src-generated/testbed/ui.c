@@ -212,7 +212,7 @@ static const struct { const char *name, *strokes; } icons[] = {
     { "Hand", "Fdbdlgjinjmhili" }, { "Place", "cecmkmkece mamd kbnb" },
     { "Draw", "bkdfhclgkknm" }, { "Pin", "Fhbjckejghhfgeefc hhhn" },
     { "Connect", "bhddgdihgldlbh ghidldnhllilgh" }, { "Lasso", "hcddbgdjikminfldhc ejdn" },
-    { "Delete", "ccmm mccm" }, { "Probe", "cfdcgbjckfjigjdicf ijnn" },
+    { "More", "Fbgdgdibi Fggigiigi Flgngnili" }, { "Delete", "ccmm mccm" }, { "Probe", "cfdcgbjckfjigjdicf ijnn" },
     { "Kick", "Fbfhfhbnhhnhjbj" }, { "Bar", "Fbkdmndlb" },
 };
 
@@ -244,11 +244,12 @@ static void draw_icon(ui *u, const char *at, float x, float y)
 
 bool ui_button(ui *u, const char *name, float x, float y, float w, bool on)
 {
-    bool hot = ui_inside(u, x, y, w, 24);
-    const char *icon = icon_of(name);
-    ui_box(u, x, y, w, 24, hot ? WF_INK_ACCENT : WF_INK_FAINT,
-           on ? WF_INK_ACCENT : WF_INK_PAPER);
     float more = (ui_bar_high(u) - 24) / 2 * (float)u->finger;     /* to the next row */
+    float edge = fmaxf(more - 3, 0);
+    bool hot = ui_inside(u, x, y - edge, w, 24 + 2 * edge);
+    const char *icon = icon_of(name);
+    ui_box(u, x, y - edge, w, 24 + 2 * edge, hot ? WF_INK_ACCENT : WF_INK_FAINT,
+           on ? WF_INK_ACCENT : WF_INK_PAPER);
     bool alone = icon && w <= UI_ICON;
     draw_icon(u, icon, x + (alone ? w / 2 - 6 : 3), y + 6);
     if (alone) return ui_area(u, name, x, y - more, w, 24 + 2 * more);
@@ -262,7 +263,7 @@ float ui_row_high(const ui *u)          /* a low picture has no room for more */
     return !u->finger ? 19 : u->height < 420 ? 30 : 34;
 }
 float ui_line_high(const ui *u) { return u->finger ? ui_row_high(u) : UI_LINE; }
-float ui_bar_high(const ui *u) { return u->height < 600 ? 30 : u->finger ? 32 : 30; }
+float ui_bar_high(const ui *u) { return u->finger ? 36 : 30; }
 
 bool ui_check(ui *u, const char *name, float x, float y, float w, bool on)
 {

@@ -167,6 +167,16 @@ check(!await tab.evaluate(() => document.getElementById('testbed').game.act(x =>
 await change();
 await to('#scene=pyramid&gravity=-20');
 check(/gravity\.y=-20$/.test(await tab.link()) && !again.test(await tab.tell('said')), `the address asks for -20: ${await tab.link()}, ${await tab.tell('said')}`);
+// a world that only Undo can reach: the page asks, and the scene that is open begins as ever
+await change();
+await tab.evaluate(() => document.getElementById('testbed').game.open('dominoes'));
+await tab.hash('#scene=dominoes');
+let warned = 0;
+tab.on('dialog', d => { warned += d.type() === 'beforeunload'; });
+await tab.reload();
+await ready(tab);
+await tab.waitForTimeout(600);
+check(warned === 1 && await tab.tell('scene') === 'dominoes' && !again.test(await tab.tell('said')), `with work that only Undo reaches the page asked ${warned} times, and says ${await tab.tell('said')}`);
 // W says where the world is, and a file can be chosen though one is kept
 await tab.evaluate(() => { const g = document.getElementById('testbed').game; g.key(119); for (let i = 0; i < 3; i++) g.frame(0, 0); });
 check(/^kept in this browser: world.save, \d+ bytes/.test(await tab.tell('said')), `W says: ${await tab.tell('said')}`);

@@ -85,7 +85,7 @@ for (const [name, width, height, colorScheme] of [['upright by day', 390, 844, '
   await bed.waitForFunction(() => { const c = document.getElementById('testbed'); return c.game && /^steps [1-9]\d/m.test(c.game.describe()); }, null, { timeout: 20000 });
   const b = await canvas.boundingBox(), k = await canvas.evaluate(c => c.width / c.getBoundingClientRect().width);
   const spot = async label => { const m = (await tell()).match(new RegExp(`^${label} .*pixel (\\S+) (\\S+)$`, 'm')); return m ? [b.x + m[1] / k, b.y + m[2] / k] : null; };
-  const tap = async label => { const p = await spot(`widget ${label}`); if (check(p, `${name}: there is no ${label}`)) await bed.tap1(...p); };
+  const tap = async label => { if (!await spot(`widget ${label}`) && await spot('widget More')) await tap('More'); const p = await spot(`widget ${label}`); if (check(p, `${name}: there is no ${label}`)) await bed.tap1(...p); };
   await tap('Pause');
   near(await fact('paused'), 1, 0, `${name}: a tap on Pause`);
   await bed.waitForTimeout(400);
