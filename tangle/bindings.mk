@@ -13,8 +13,9 @@ WEBLD ?= $(firstword $(foreach c,wasm-ld wasm-ld-19 wasm-ld-18 wasm-ld-17 wasm-l
 SYSROOT ?= /usr
 RT := $(firstword $(wildcard $(shell $(WEBCC) -print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a))
 FLAGS = --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -flto $(shell tangle/std) -mbulk-memory -mnontrapping-fptoint -ffunction-sections -fdata-sections -DNDEBUG -DWF_FREESTANDING -DWF_ENGINE
-# wasm-opt takes off a fiftieth; without it the package works as well
-OPT := $(if $(shell command -v wasm-opt),wasm-opt -Oz --converge --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext --enable-mutable-globals)
+# wasm-opt takes off a fiftieth; without it the package works as well. Nothing lies below --global-base, so that it may put a constant part of
+# an address into the load or the store, as it does for addresses below 1024.
+OPT := $(if $(shell command -v wasm-opt),wasm-opt -Oz --converge --low-memory-unused --enable-bulk-memory --enable-nontrapping-float-to-int --enable-sign-ext --enable-mutable-globals)
 JS := $(SRC)/bindings/weft.js
 GAME := $(OUT)/npm-obj/src
 .PHONY: npm python
@@ -27,7 +28,7 @@ $(OUT)/npm-obj/weft.wasm: $(JS) $(wildcard $(SRC)/*/*.c $(SRC)/*/*.h $(SRC)/incl
 	@if command -v noweb >/dev/null; then tangle/tangle --without '$(WITHOUT)' $(@D)/src $$(tangle/chapters); else cp -r $(SRC) $(@D)/src; fi
 	@for c in $$(cd $(@D)/src && ls core/*.c math/*.c collision/*.c dynamics/*.c engine/*.c | grep -v draw.c); do \
 	   $(WEBCC) $(FLAGS) -I$(@D)/src/include -I$(@D)/src -c $(@D)/src/$$c -o $(@D)/$$(echo $$c | tr / -).o || exit 1; done
-	@$(WEBLD) --no-entry --gc-sections --lto-O3 -mllvm --inline-threshold=-100 -mllvm --enable-merge-functions --strip-all -z stack-size=262144 --export=__heap_base \
+	@$(WEBLD) --no-entry --gc-sections --lto-O3 -mllvm --inline-threshold=-100 -mllvm --enable-merge-functions --strip-all -z stack-size=262144 --global-base=1024 --export=__heap_base \
 	   $$(tangle/bindings $(@D)/src exports $(JS) | sed 's/^/--export=/') -L$(SYSROOT)/lib/wasm32-wasi $(@D)/*.o -lc $(RT) -o $@
 	@$(if $(OPT),$(OPT) $@ -o $@)
 # comments and leading spaces go; what remains is as readable as before

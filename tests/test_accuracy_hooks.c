@@ -270,3 +270,125 @@ TEST(settings_that_are_refused_are_told)
     told(&w, WF_ERROR_NULL, wfSetTolerance(&w, 1, WF_R(0.1), NULL), "wfSetTolerance: out: a pointer is NULL: pass the address of a structure");
     wfDestroyWorld(&w);
 }
+
+/* ---- what a refusal tells: the call that was made, the field and the value -------------------------------------------------------------- */
+static wfBodyId crate, wall;
+static wfForceId wind, grip;
+static wfJoint hinge;
+static wfResult hold_wall(wfWorld *w)    { wfForceId out; return wfAddMouseJoint(w, wall, wfV2(0, 0), &out); }
+static wfResult hold_more(wfWorld *w)    { wfForceId out; return wfAddMouseJoint(w, crate, wfV2(0, 0), &out); }
+static wfResult target_nan(wfWorld *w)   { return wfSetMouseTarget(w, grip, wfV2(0, (wfReal)NAN)); }
+static wfResult target_wind(wfWorld *w)  { return wfSetMouseTarget(w, wind, wfV2(0, 0)); }
+static wfResult put_far(wfWorld *w)      { return wfSetGlobalPosition(w, crate, (wfGlobalPoint){ 0, -HUGE_VAL }, 0); }
+static wfResult put_turned(wfWorld *w)   { return wfSetGlobalPosition(w, crate, (wfGlobalPoint){ 1, 2 }, WF_R(2e6)); }
+static wfResult begin_at(wfWorld *w)     { return wfSetWorldOrigin(w, (wfGlobalPoint){ 0, HUGE_VAL }); }
+static wfResult centre_it(wfWorld *w)    { return wfRecentreWorld(w, wfV2(1, 0), 0, NULL); }
+static wfResult days(wfWorld *w)         { return wfAdvanceWorld(w, -0.5, 1); }
+static wfResult no_step(wfWorld *w)      { return wfAdvanceWorld(w, 0, 0); }
+static wfResult few_steps(wfWorld *w)    { return wfSetBodySubsteps(w, crate, -3); }
+static wfResult no_material(wfWorld *w)  { return wfSetPairMaterial(w, 1, -4, NULL); }
+static wfResult hardly_ever(wfWorld *w)  { return wfDisableBodySleep(w, crate, 2); }
+static wfResult half_there(wfWorld *w)   { return wfEnableBody(w, crate, 7); }
+static wfResult half_fixed(wfWorld *w)   { return wfSetBodyFixedRotation(w, crate, -1); }
+static wfResult other_type(wfWorld *w)   { return wfChangeBodyType(w, crate, 3); }
+static wfResult wall_mass(wfWorld *w)    { return wfSetBodyMass(w, wall, 2); }
+static wfResult wall_data(wfWorld *w)    { return wfSetBodyMassData(w, wall, &(wfMassData){ .mass = 1 }); }
+static wfResult crate_aims(wfWorld *w)   { return wfSetBodyTarget(w, crate, wfV2(0, 0), 0, 1); }
+static wfResult slack(wfWorld *w)        { wfJoint j = hinge; return wfTuneJointSpring(w, &j, -2, 1); }
+static wfResult undamped(wfWorld *w)     { wfJoint j = hinge; return wfTuneJointSpring(w, &j, 2, WF_R(-0.5)); }
+static wfResult springless(wfWorld *w)   { wfJoint j = hinge; return wfTuneJointSpring(w, &j, 2, WF_R(0.5)); }
+static wfResult force_of_none(wfWorld *w){ wfForce f = wfWind(wfV2(1, 0), 1); f.b = 77; return wfSetForce(w, wind, &f); }
+static wfResult force_kind(wfWorld *w)   { wfForce f = wfWind(wfV2(1, 0), 1); f.kind = -5; return wfSetForce(w, wind, &f); }
+static wfResult minus_shapes(wfWorld *w) { wfShapeDef d = wfDefaultShapeDef(); return wfAddShapesToBody(w, crate, &d, -1, NULL); }
+static wfResult a_point(wfWorld *w)      { wfShapeDef d = wfDefaultShapeDef(); return wfAddChainToBody(w, wall, (const wfVec2[]){ { { 0, 0 } } }, 1, false, &d, NULL); }
+static wfResult other_solver(wfWorld *w) { return wfSetMethods(w, -1, -1, -1, wfFindSolver("exact")); }
+static wfResult odd_settings(wfWorld *w) { wfAccuracy a = { .method = 0, .frame = WF_R(0.01), .steps = 1 }; return wfUseSettings(w, &a); }
+
+static const struct Told { wfResult (*call)(wfWorld *w); const char *name, *field; double value; const char *text; } tellers[] = {
+    { hold_wall, "wfAddMouseJoint", "id", 2, "only a dynamic body can be held: see wfChangeBodyType" },
+    { hold_more, "wfAddMouseJoint", "forceCapacity", 2, "must be >= 3 and <= 16777216: wfGrowWorld makes room" },
+    { target_nan, "wfSetMouseTarget", "point.y", (double)NAN, "not a number, must be finite" },
+    { target_wind, "wfSetMouseTarget", "hand", 1, "this force is no hand: wfAddMouseJoint makes one" },
+    { put_far, "wfSetGlobalPosition", "place.y", -HUGE_VAL, "-infinite" },
+    { put_turned, "wfSetGlobalPosition", "angle", 2e6, "must be >= -1000000 and <= 1000000" },
+    { begin_at, "wfSetWorldOrigin", "origin.y", HUGE_VAL, "infinite" },
+    { centre_it, "wfRecentreWorld", "limit", 0, "must be above 0" },
+    { days, "wfAdvanceWorld", "seconds", -0.5, "must be from 0 to 1e6" },
+    { no_step, "wfAdvanceWorld", "most", 0, "must be 1 or more" },
+    { few_steps, "wfSetBodySubsteps", "substeps", -3, "must be >= 0" },
+    { no_material, "wfSetPairMaterial", "b", -4, "materials begin with 1" },
+    { hardly_ever, "wfDisableBodySleep", "never", 2, "must be 0 or 1" },
+    { half_there, "wfEnableBody", "enabled", 7, "must be 0 or 1" },
+    { half_fixed, "wfSetBodyFixedRotation", "fixed", -1, "must be 0 or 1" },
+    { other_type, "wfChangeBodyType", "type", 3, "must be WF_STATIC, WF_KINEMATIC or WF_DYNAMIC" },
+    { wall_mass, "wfSetBodyMass", "mass", 2, "only a dynamic body has one: see wfChangeBodyType" },
+    { wall_data, "wfSetBodyMassData", "id", 2, "only a dynamic body has a mass: see wfChangeBodyType" },
+    { crate_aims, "wfSetBodyTarget", "id", 1, "only kinematic bodies have a target: see wfChangeBodyType" },
+    { slack, "wfTuneJointSpring", "frequency", -2, "must be above 0 and finite, in Hz" },
+    { undamped, "wfTuneJointSpring", "ratio", -0.5, "must be 0 or more, and finite" },
+    { springless, "wfTuneJointSpring", "joint.kind", 0, "this kind has no spring" },
+    { force_of_none, "wfSetForce", "force.b", 77, "no such body: wfBodyIndex tells it, or -1 for none" },
+    { force_kind, "wfSetForce", "force.kind", -5, "wfFindForce tells it" },
+    { minus_shapes, "wfAddShapesToBody", "count", -1, "must be >= 0" },
+    { a_point, "wfAddChainToBody", "n", 1, "a chain has 2 points or more" },
+    { other_solver, "wfSetMethods", "solver", 0, "chosen when a world is made" },
+    { odd_settings, "wfUseSettings", "", 0, "" },
+};
+
+TEST(a_refusal_tells_its_own_call_the_field_and_the_value)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    def.forceCapacity = 2;
+    wfWorld w = world_with(&def);
+    crate = add(&w, ball_def(0, 3, 0.5)), wall = add(&w, floor_def());
+    wfForce blows = wfWind(wfV2(1, 0), 1);
+    assert_ok(wfAddForceToWorld(&w, &blows, &wind));
+    assert_ok(wfAddMouseJoint(&w, crate, wfV2(0, 3), &grip));
+    assert_ok(wfDefineJoint(&w, "weld", crate, wall, wfV2(0, 2), wfV2(0, 2), wfV2(1, 0), &hinge));
+    hinge.kind = wfFindJoint("filter");
+    for (size_t k = 0; k < sizeof tellers / sizeof *tellers; k++) {
+        const struct Told *t = &tellers[k];
+        void *before = copy_of(&w);
+        wfResult result = t->call(&w);
+        const wfCallFault *f = wfLastFault(&w);
+        if (strcmp(t->name, f->call) != 0) fail_msg("row %d, %s: the call is told as %s", (int)k, t->name, f->call);
+        assert_int_equal(f->result, result);
+        if (t->field[0] == 0) { free(before); continue; }                            /* a call that goes well */
+        if (result == WF_OK) fail_msg("row %d: %s refuses nothing", (int)k, t->name);
+        char begin[120];
+        snprintf(begin, sizeof begin, "%s: %s is ", t->name, t->field);
+        double want = t->call == springless ? hinge.kind : t->call == other_solver ? wfFindSolver("exact") : t->value;
+        bool same = isnan(want) ? isnan(f->value) : f->value == want;
+        if (strcmp(f->field, t->field) != 0 || !same || strncmp(f->text, begin, strlen(begin)) != 0 || strstr(f->text, t->text) == NULL)
+            fail_msg("row %d: %s (value %g)", (int)k, f->text, f->value);
+        assert_unchanged(&w, before);
+    }
+    /* a step that finds too little room, made by a call that makes steps */
+    assert_ok(wfDestroyWorld(&w));
+    def.advanced.contactCapacity = 1;
+    w = world_with(&def);
+    for (int i = 0; i < 6; i++) add(&w, ball_def(0.6 * i, 0.4, 0.5));
+    add(&w, floor_def());
+    wfAccuracy one = { .method = 0, .frame = WF_R(0.01), .steps = 1 };
+    assert_result(WF_ERROR_FULL, wfAdvanceWorld(&w, 1, 1));
+    assert_non_null(strstr(wfLastFault(&w)->text, "wfAdvanceWorld: contactCapacity is 1, "));
+    assert_result(WF_ERROR_FULL, wfStepFrame(&w, &one));
+    assert_non_null(strstr(wfLastFault(&w)->text, "wfStepFrame: contactCapacity is 1, "));
+    wfDestroyWorld(&w);
+}
+
+/* A call that succeeds leaves no fault, though one that it made was refused: of three bodies one is gone. */
+TEST(a_call_that_succeeds_tells_no_fault)
+{
+    wfWorldDef def = wfDefaultWorldDef();
+    wfWorld w = world_with(&def);
+    wfBodyId gone = add(&w, ball_def(0, 0, 1));
+    add(&w, ball_def(5, 0, 1));
+    assert_ok(wfRemoveBodyFromWorld(&w, gone));
+    wfAccuracy chosen = { .method = 0, .frame = WF_R(0.01), .steps = 1 };
+    assert_ok(wfUseSettings(&w, &chosen));
+    assert_int_equal(wfLastFault(&w)->result, WF_OK);
+    assert_string_equal(wfLastFault(&w)->call, "wfUseSettings");
+    assert_string_equal(wfLastFault(&w)->text, "");
+    wfDestroyWorld(&w);
+}

@@ -108,8 +108,8 @@ TEST(a_chain_in_one_call)
             uint64_t before = wfHashWorld(&w);
             assert_result(WF_ERROR_RANGE, wfAddChainToBody(&w, ball, point, 5, loop, &like, id));
             assert_result(WF_ERROR_TOO_FEW, wfAddChainToBody(&w, ground, point, loop ? 2 : 1, loop, &like, id));
-            assert_string_equal(wfLastFault(&w)->text, loop ? "wfAddChainToBody: n: a loop has 3 points or more"
-                                                            : "wfAddChainToBody: n: a chain has 2 points or more");
+            assert_string_equal(wfLastFault(&w)->text, loop ? "wfAddChainToBody: n is 2: a loop has 3 points or more"
+                                                            : "wfAddChainToBody: n is 1: a chain has 2 points or more");
             assert_result(WF_ERROR_NULL, wfAddChainToBody(&w, ground, NULL, 5, loop, &like, id));
             assert_result(WF_ERROR_NULL, wfAddChainToBody(&w, ground, point, 5, loop, NULL, id));
             like.friction = -1;

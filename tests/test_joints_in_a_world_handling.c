@@ -64,7 +64,8 @@ TEST(rotation_can_be_fixed_and_set_free)
     assert_ok(wfSetBodyFixedRotation(&w, id, 1));
     assert_true(info(&w, id).angularVelocity == 0 && info(&w, id).inertia == 0 && info(&w, id).velocity.x == 1);
     assert_ok(wfApplyImpulseToBody(&w, id, wfV2(0, 5), wfV2(1, 0)));
-    assert_ok(wfSetBodyVelocity(&w, id, wfV2(1, 0), 3));
+    assert_result(WF_ERROR_RANGE, wfSetBodyVelocity(&w, id, wfV2(1, 0), 3));
+    assert_ok(wfSetBodyVelocity(&w, id, wfV2(1, 0), 0));
     assert_ok(wfStepWorld(&w));
     assert_true(info(&w, id).angle == 0 && info(&w, id).angularVelocity == 0);
     assert_ok(wfSetBodyFixedRotation(&w, id, 0));

@@ -171,8 +171,8 @@ TEST(every_argument_of_a_body)
     expect(&w, WF_ERROR_NOT_FINITE, wfSetBodyVelocity(&w, b, wfV2(0, 0), (wfReal)-INFINITY), "wfSetBodyVelocity: angularVelocity is -infinite, must be finite");
     expect(&w, WF_ERROR_RANGE, wfSetBodyVelocity(&w, wall, wfV2(1, 0), 0), "wfSetBodyVelocity: velocity: a static body has none: make it kinematic by wfChangeBodyType");
     expect(&w, WF_ERROR_RANGE, wfSetBodyMass(&w, b, -1), "wfSetBodyMass: mass is -1, must be >= 0");
-    expect(&w, WF_ERROR_RANGE, wfSetBodyMass(&w, wall, 1), "wfSetBodyMass: mass: a dynamic body has one above 0");
-    expect(&w, WF_ERROR_RANGE, wfChangeBodyType(&w, b, 3), "wfChangeBodyType: type: WF_STATIC, _KINEMATIC or _DYNAMIC");
+    expect(&w, WF_ERROR_RANGE, wfSetBodyMass(&w, wall, 1), "wfSetBodyMass: mass is 1: only a dynamic body has one: see wfChangeBodyType");
+    expect(&w, WF_ERROR_RANGE, wfChangeBodyType(&w, b, 3), "wfChangeBodyType: type is 3: must be WF_STATIC, WF_KINEMATIC or WF_DYNAMIC");
     expect(&w, WF_ERROR_RANGE, wfSetBodyMaterial(&w, b, WF_R(1.5), 0), "wfSetBodyMaterial: restitution is 1.5, must be >= 0 and <= 1");
     expect(&w, WF_ERROR_RANGE, wfSetBodyDamping(&w, b, 0, WF_R(-0.3)), "wfSetBodyDamping: angular is -0.3, must be >= 0");
     expect(&w, WF_ERROR_NOT_FINITE, wfApplyForceToBody(&w, b, wfV2(nan, 0), wfV2(0, 0)), "wfApplyForceToBody: force or point: a number is NaN or infinite: look for a division by zero before the call");
@@ -223,7 +223,9 @@ TEST(calls_that_move_a_world)
     assert_ok(wfGetWorldDef(&w, &def));
     def.advanced.directJoints = WF_JOINTS_ITERATIVE;
     expect(&w, WF_ERROR_MEMORY, wfSetWorldDef(&w, &def), "wfSetWorldDef: directJoints is 0: chosen when a world is made");
-    expect(&w, WF_ERROR_MEMORY, wfSetMethods(&w, -1, -1, -1, wfFindSolver("exact")), "wfSetMethods: solver: chosen when a world is made");
+    char exact[80];
+    snprintf(exact, sizeof exact, "wfSetMethods: solver is %d: chosen when a world is made", wfFindSolver("exact"));
+    expect(&w, WF_ERROR_MEMORY, wfSetMethods(&w, -1, -1, -1, wfFindSolver("exact")), exact);
     assert_unchanged(&w, before);
     free(bytes);
     wfDestroyWorld(&w), wfDestroyWorld(&large);

@@ -223,6 +223,7 @@ void wfNoteField(const wfBlock *b, wfResult result, const char *field, int32_t e
 void wfNoteValue(const wfBlock *b, wfResult result, const char *field, double value,
                  const char *mend);
 void wfNoteId(const wfBlock *b, const char *field, uint32_t index, uint32_t generation);
+void wfRenameFault(wfCallFault *f, wfResult result, const char *call);
 extern const wfNumber wfNoRange;
 /* Returns the result. If it is an error, and no other was noted for this call: notes that
  * it is a field's, and what mends it (NULL: what the result says). A "[]" of the field
@@ -272,6 +273,15 @@ static inline wfResult wfRefuseCallAs(const char *call, wfWorld *world, wfResult
 }
 #define wfRefuseCall(world, result, field, mend) \
     wfRefuseCallAs(WF_CALL, world, result, field, mend)
+/* The result of another call that this one made: it is told in this one's name. */
+static inline wfResult wfTellAs(const char *call, wfWorld *world, wfResult result)
+{
+    (void)call, (void)world;
+    /* tell another call's refusal in this one's name */
+    if (world != NULL && result != WF_ERROR_BUSY) wfRenameFault(&world->fault, result, call);
+    return result;
+}
+#define wfTellOwn(world, result) wfTellAs(WF_CALL, world, result)
 /* Are the numbers of a structure what they may be? Their names begin with `of`. */
 wfResult wfCheckFields(const wfBlock *b, const char *of, int32_t element,
                        const void *structure, const wfNumber *numbers, int count);

@@ -234,7 +234,8 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     turns = true;
     angle = wfWrapAngle(angle);
     centre = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
-    if (!turns && angle != 0) return wfRefuse(&b, WF_ERROR_RANGE, "angle", NULL);
+    if (!turns && angle != 0)
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "angle", (double)angle, "must be 0 here");
     if (!wfIsFinite2(centre)) return wfRefuse(&b, WF_ERROR_NOT_FINITE, "position", NULL);
     b.state[i].p = centre;
     b.state[i].angle = angle;
@@ -293,7 +294,8 @@ wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
         return wfRefuse(&b, wfReweighBody(&b, i, &props), "mass", NULL);
     }
     if (b.props[i].type != WF_DYNAMIC || mass == 0)
-        return wfRefuse(&b, WF_ERROR_RANGE, "mass", "a dynamic body has one above 0");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "mass", (double)mass,
+                             "only a dynamic body has one: see wfChangeBodyType");
     wfReal inertia = b.props[i].inertia * (mass / b.props[i].mass);
     result = wfSetMass(&b.state[i], &b.props[i], mass, inertia);
     if (result == WF_OK) b.props[i].givenMass = mass;
@@ -310,7 +312,8 @@ wfResult wfChangeBodyType(wfWorld *world, wfBodyId id, int type)
     wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     if (type < 0 || type >= WF_BODY_TYPES)
-        return wfRefuse(&b, WF_ERROR_RANGE, "type", "WF_STATIC, _KINEMATIC or _DYNAMIC");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "type", type,
+                             "must be WF_STATIC, WF_KINEMATIC or WF_DYNAMIC");
     if (type == b.props[i].type) return WF_OK;
     result = wfRefuse(&b, wfWeighBody(&b, i, type, &state, &props), "id", NULL);
     if (result != WF_OK) return result;
@@ -387,7 +390,7 @@ wfResult wfSetBodyFixedRotation(wfWorld *world, wfBodyId id, int32_t fixed)
     if (result == WF_OK) result = wfRequireModules(&b, fixed ? 0 : WF_MODULE_ROTATION);
     if (result != WF_OK) return result;
     if (fixed != 0 && fixed != 1)
-        return wfRefuse(&b, WF_ERROR_RANGE, "fixed", "must be 0 or 1");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "fixed", fixed, "must be 0 or 1");
     wfBodyProps props = b.props[i];
     props.fixedRotation = fixed;
     return wfRefuse(&b, wfReweighBody(&b, i, &props), "id", NULL);
@@ -405,7 +408,8 @@ wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal an
     if (result == WF_OK) result = wfCheckReal(&b, "seconds", seconds, WF_TINY, WF_HUGE);
     if (result != WF_OK) return result;
     if (b.props[i].type != WF_KINEMATIC)
-        return wfRefuse(&b, WF_ERROR_RANGE, "id", "only kinematic bodies have a target");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "id", id.index,
+                             "only kinematic bodies have a target: see wfChangeBodyType");
     const wfBodyState *s = &b.state[i];
     wfVec2 to = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
     wfReal turn = wfWrapAngle(angle - s->angle);

@@ -114,7 +114,8 @@ static wfResult change_settings(wfBlock *b, const wfWorldDef *def)
     /* what else a change of the settings needs */
     bool large = d.solver == wfFindSolver(WF_SOLVER_LARGE);
     if (large && !h->large)
-        return wfRefuse(b, WF_ERROR_MEMORY, "solver", "chosen when a world is made");
+        return wfRefuseValue(b, WF_ERROR_MEMORY, "solver", d.solver,
+                             "chosen when a world is made");
     bool matrix = h->directJoints != WF_JOINTS_ITERATIVE;
     if (matrix != (d.advanced.directJoints != WF_JOINTS_ITERATIVE))
         return wfRefuseValue(b, WF_ERROR_MEMORY, "directJoints", d.advanced.directJoints,

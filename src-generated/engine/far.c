@@ -10,7 +10,10 @@ wfResult wfSetWorldOrigin(wfWorld *world, wfGlobalPoint origin)
     wfBlock b;
     wfResult result = wfChangeBlock(world, &b);
     if (result != WF_OK) return result;
-    if (!is_place(origin)) return wfRefuse(&b, WF_ERROR_NOT_FINITE, "origin", NULL);
+    bool first = origin.x - origin.x != 0;
+    if (!is_place(origin))
+        return wfRefuseValue(&b, WF_ERROR_NOT_FINITE, first ? "origin.x" : "origin.y",
+                             first ? origin.x : origin.y, NULL);
     b.head->origin = origin;
     return WF_OK;
 }
@@ -64,9 +67,12 @@ wfResult wfSetGlobalPosition(wfWorld *world, wfBodyId id, wfGlobalPoint place, w
     wfBlock b;
     wfVec2 local;
     wfResult result = wfChangeBlock(world, &b);
-    if (result == WF_OK)
-        result = wfRefuse(&b, wfGlobalToLocal(world, place, &local), "place", NULL);
-    return result == WF_OK ? wfSetBodyTransform(world, id, local, angle) : result;
+    if (result != WF_OK) return result;
+    bool first = !fits(place.x - b.head->origin.x);
+    result = wfRefuseValue(&b, wfGlobalToLocal(world, place, &local),
+                           first ? "place.x" : "place.y", first ? place.x : place.y, NULL);
+    if (result != WF_OK) return result;
+    return wfTellOwn(world, wfSetBodyTransform(world, id, local, angle));
 }
 
 /* move the origin of a world */
@@ -169,9 +175,10 @@ wfResult wfRecentreWorld(wfWorld *world, wfVec2 place, wfReal limit, wfVec2 *by)
     if (result == WF_OK) result = wfCheckVector(&b, "place.", place);
     if (result == WF_OK) result = wfCheckReal(&b, "limit", limit, WF_FROM_ZERO);
     if (result != WF_OK) return result;
-    if (limit == 0) return wfRefuse(&b, WF_ERROR_RANGE, "limit", "must be above 0");
+    if (limit == 0)
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "limit", 0, "must be above 0");
     wfVec2 d = wfV2(whole_grains(place.x, limit), whole_grains(place.y, limit));
-    if (d.x != 0 || d.y != 0) result = wfShiftOrigin(world, d, NULL);
+    if (d.x != 0 || d.y != 0) result = wfTellOwn(world, wfShiftOrigin(world, d, NULL));
     if (result == WF_OK && by != NULL) *by = d;
     return result;
 }

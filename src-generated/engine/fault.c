@@ -174,6 +174,20 @@ void wfNoteValue(const wfBlock *b, wfResult result, const char *field, double va
     if (is_first(b, result)) wfNoteFault(b, result, "", 0, field, number, value, mend);
 }
 
+/* The text begins with the name of the call. If this one succeeded, nothing was refused. */
+void wfRenameFault(wfCallFault *f, wfResult result, const char *call)
+{
+    wfCallFault was = *f;
+    const char *rest = was.text;
+    Line text = { f->text, f->text + sizeof f->text - 1 };
+    for (const char *c = was.call; c != NULL && *c != 0 && *c == *rest; c++) rest++;
+    if (result == WF_OK) was.text[0] = 0, *f = (wfCallFault){ .result = WF_OK };
+    f->call = call;
+    if (was.text[0] == 0) return;
+    put(&text, call);
+    put(&text, rest);
+}
+
 void wfNoteId(const wfBlock *b, const char *field, uint32_t index, uint32_t generation)
 {
     if (b->fault != NULL)

@@ -28,9 +28,12 @@ static wfResult check_world_force(const wfBlock *b, const wfForce *f)
     if (f == NULL) return wfRefuse(b, WF_ERROR_NULL, "force", NULL);
     bool first = !is_place(b, f->a);
     if (first || !is_place(b, f->b))
-        return wfRefuse(b, WF_ERROR_STALE_ID, first ? "force.a" : "force.b", NULL);
+        return wfRefuseValue(b, WF_ERROR_STALE_ID, first ? "force.a" : "force.b",
+                             first ? f->a : f->b,
+                             "no such body: wfBodyIndex tells it, or -1 for none");
     if (f->kind < 0 || f->kind >= wfForceKinds)
-        return wfRefuse(b, WF_ERROR_UNKNOWN, "force.kind", NULL);
+        return wfRefuseValue(b, WF_ERROR_UNKNOWN, "force.kind", f->kind,
+                             "wfFindForce tells it");
     const wfForceRow *row = &wfForceTable[f->kind];
     wfResult result = WF_OK;
     if (row->numbers)
@@ -132,9 +135,10 @@ wfResult wfAddMouseJoint(wfWorld *world, wfBodyId id, wfVec2 point, wfForceId *o
     if (result == WF_OK) result = wfCheckVector(&b, "point.", point);
     if (result != WF_OK) return result;
     if (b.props[i].type != WF_DYNAMIC)
-        return wfRefuse(&b, WF_ERROR_RANGE, "id", "only a dynamic body can be held");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "id", id.index,
+                             "only a dynamic body can be held: see wfChangeBodyType");
     wfForce f = hand_for(&b, i, point);
-    return wfAddForceToWorld(world, &f, out);
+    return wfTellOwn(world, wfAddForceToWorld(world, &f, out));
 }
 
 wfResult wfSetMouseTarget(wfWorld *world, wfForceId hand, wfVec2 point)
@@ -142,12 +146,14 @@ wfResult wfSetMouseTarget(wfWorld *world, wfForceId hand, wfVec2 point)
     wfBlock b;
     int32_t i;
     wfResult result = change_force(WF_CALL, world, hand, &b, &i);
+    if (result == WF_OK) result = wfCheckVector(&b, "point.", point);
     if (result != WF_OK) return result;
     wfForce f = b.forces[i];
     if (f.kind != wfFindForce("hand"))
-        return wfRefuse(&b, WF_ERROR_RANGE, "hand", "wfAddMouseJoint makes one");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "hand", hand.index,
+                             "this force is no hand: wfAddMouseJoint makes one");
     f.hand.target = point;
-    return wfSetForce(world, hand, &f);
+    return wfTellOwn(world, wfSetForce(world, hand, &f));
 }
 
 wfForceId wfForceAt(const wfWorld *world, int32_t i)

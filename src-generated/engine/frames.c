@@ -9,12 +9,14 @@ wfResult wfAdvanceWorld(wfWorld *world, double seconds, int32_t most)
     wfResult result = wfChangeBlock(world, &b);
     if (result != WF_OK) return result;
     if (!(seconds >= 0 && seconds <= 1e6))
-        return wfRefuse(&b, WF_ERROR_RANGE, "seconds", "must be from 0 to 1e6");
-    if (most < 1) return wfRefuse(&b, WF_ERROR_RANGE, "most", "must be 1 or more");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "seconds", seconds,
+                             "must be from 0 to 1e6");
+    if (most < 1)
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "most", most, "must be 1 or more");
     double step = (double)b.head->timeStep;
     world->ahead += seconds;
     for (int32_t i = 0; i < most && world->ahead >= step / 2; i++) {
-        result = wfStepWorld(world);
+        result = wfTellOwn(world, wfStepWorld(world));
         if (result != WF_OK) return result;
         world->ahead -= step;
     }

@@ -64,7 +64,8 @@ static wfResult check_pair(const wfBlock *b, int32_t one, int32_t two,
                            const wfPairMaterial *m)
 {
     if (one < 1 || two < 1)
-        return wfRefuse(b, WF_ERROR_RANGE, one < 1 ? "a" : "b", "materials begin with 1");
+        return wfRefuseValue(b, WF_ERROR_RANGE, one < 1 ? "a" : "b", one < 1 ? one : two,
+                             "materials begin with 1");
     return m == NULL ? WF_OK : wfCheckFields(b, "m->", 0, m, pair_numbers, 4);
 }
 

@@ -271,5 +271,5 @@ wfResult wfPushBodies(wfWorld *world, const wfMover *m, wfVec2 velocity)
     int32_t under = wfShapeIndex(world, m->ground);
     for (int32_t i = 0; i < count && i < MOVER_HITS; i++)
         if (shape[i] != under) push(world, &b, m, shape[i], velocity);
-    return WF_OK;
+    return wfTellOwn(world, WF_OK);
 }

@@ -286,7 +286,7 @@ wfResult wfStepNoted(wfWorld *world, wfJournal *journal, const wfCallbacks *hook
     if (!has_room(journal, need))
         return wfRefuseCall(world, WF_ERROR_FULL, "journal", "give it more bytes");
     uint64_t before = first_hash(journal, world);
-    wfResult result = wfStepWorldWithCallbacks(world, hooks);
+    wfResult result = wfTellOwn(world, wfStepWorldWithCallbacks(world, hooks));
     if (result != WF_OK) return result;
     journal->begins = before;
     note_step(journal, world);
@@ -351,7 +351,7 @@ wfResult wfReplayStep(wfReplay *r, wfWorld *world, const wfCallbacks *hooks,
         else result = give_entry(world, &e, bytes);
         if (result != WF_OK) return result;
     }
-    wfResult result = wfStepWorldWithCallbacks(world, hooks);
+    wfResult result = wfTellOwn(world, wfStepWorldWithCallbacks(world, hooks));
     if (result != WF_OK) return result;
     r->left--;
     *stepped = 1;

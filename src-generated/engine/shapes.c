@@ -210,7 +210,8 @@ wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data)
     wfBodyState state = b.state[i];
     wfBodyProps props = b.props[i];
     if (props.type != WF_DYNAMIC)
-        return wfRefuse(&b, WF_ERROR_RANGE, "id", "only a dynamic body has a mass");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "id", id.index,
+                             "only a dynamic body has a mass: see wfChangeBodyType");
     result = become(&plan, data, &state, &props);
     props.givenMass = data->mass;
     if (result == WF_OK) wfCarryOut(&b, i, &state, &props);
@@ -326,7 +327,8 @@ static wfResult add_shapes(const char *call, wfWorld *world, wfBodyId body, bool
     wfResult result = wfChangeBodyAs(call, world, body, &b, &i);
     if (result != WF_OK) return result;
     if (defs == NULL) return wfRefuse(&b, WF_ERROR_NULL, listed ? "defs" : "def", NULL);
-    if (count < 0) return wfRefuse(&b, WF_ERROR_RANGE, "count", "must be >= 0");
+    if (count < 0)
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "count", count, "must be >= 0");
     bool many = count + (b.props[i].shape >= 0) > 1;
     uint32_t modules = count == 0 ? 0 : WF_MODULE_SHAPES | (many ? WF_MODULE_COMPOUNDS : 0);
     for (int32_t k = 0; k < count && result == WF_OK; k++) {
@@ -508,8 +510,9 @@ wfResult wfAddChainToBody(wfWorld *world, wfBodyId body, const wfVec2 *points, i
         return wfRefuse(&b, WF_ERROR_RANGE, "body",
                         "it is dynamic, and links weigh nothing");
     if (links < (loop ? 3 : 1))
-        return wfRefuse(&b, WF_ERROR_TOO_FEW, "n", loop ? "a loop has 3 points or more"
-                                                        : "a chain has 2 points or more");
+        return wfRefuseValue(&b, WF_ERROR_TOO_FEW, "n", n,
+                             loop ? "a loop has 3 points or more"
+                                  : "a chain has 2 points or more");
     wfShapeDef d = *like;
     uint32_t modules = WF_MODULE_SHAPES | WF_MODULE_COMPOUNDS;
     for (int32_t k = 0; k < links && result == WF_OK; k++) {

@@ -321,7 +321,8 @@ wfResult wfRewindTo(wfRewind *ring, wfWorld *world, uint64_t step)
         return wfRefuseCall(world, WF_ERROR_UNKNOWN, "step",
                             "nothing so old is kept: wfRewindReach tells what is");
     const Kept *k = kept_at(&r, r.newest);
-    wfResult result = wfRestoreWorld(world, r.bytes + r.newest + KEPT, k->size);
+    wfResult result = wfTellOwn(world, wfRestoreWorld(world, r.bytes + r.newest + KEPT,
+                                                      k->size));
     if (result == WF_OK) *ring = r;
     return result;
 }

@@ -275,11 +275,10 @@ wfResult wfSetShapeUserData(wfWorld *world, wfShapeId id, uint64_t data);
  * area is not looked at. The mass is a given one; when its shapes change, centre and
  * inertia follow from these again. Errors of wfSetMass and wfAddShapesToBody. */
 wfResult wfSetBodyMassData(wfWorld *world, wfBodyId id, const wfMassData *data);
-/* 1: it never turns, and takes no spin; 0: it has the inertia of its shapes. */
+/* 1: it never turns (a spin is RANGE); 0: it has the inertia of its shapes. */
 wfResult wfSetBodyFixedRotation(wfWorld *world, wfBodyId id, int32_t fixed);
 /* Gives a kinematic body the velocity by which its origin will be there, turned so, after
- * so many seconds (> 0): call it before each step with timeStep. By the shorter turn.
- * RANGE: another type; another angle than it has, with fixedRotation. */
+ * so many seconds (> 0): call it before each step with timeStep. By the shorter turn. */
 wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal angle,
                          wfReal seconds);
 /* Advances the world by dt. On any error the world is as it was before the call:
