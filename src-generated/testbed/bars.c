@@ -49,7 +49,8 @@ static void reveal_row(game_state *s, float y, float each, float room)
 static int list_scenes(ui *u, game *g)
 {
     game_state *s = g->state;
-    float room = list_room(u), y = LIST_TOP - s->scroll, each = ui_row_high(u);
+    float room = list_room(u), each = ui_row_high(u);
+    float up = u->finger ? s->scroll : each * ceilf(s->scroll / each), y = LIST_TOP - up;
     int chosen = -1;
     for (int i = 0; i < game_scene_count(g); i++) {
         const wfScene *scene = game_scene_at(g, i);
@@ -67,8 +68,8 @@ static int list_scenes(ui *u, game *g)
     return chosen;
 }
 
-/* How well the query fits the scene: its name, what is told of it, letters of its name. What
- * is driven or a task is a game. */
+/* How well the query fits the scene: its name, what is told of it, letters of its name.
+ * What is driven or a task is a game. */
 static float scene_fit(const wfScene *scene, const char *query)
 {
     bool played = scene->alias != NULL;
@@ -315,7 +316,7 @@ static const char *why_empty(const game *g)
         left += !here && !is_seen(&v, i, at_home);
     }
     bool goes_along = g->scene->follow || g->scene->alias || g->scene->points;
-    if (2 * left > all && !goes_along)                  /* Reset would delete what was built */
+    if (2 * left > all && !goes_along)              /* Reset would delete what was built */
         return game_was_changed(g->state) || g->state->read ? "most has left: Home shows it"
                : "most has left: Reset brings it back";
     return all && !seen ? "nothing is in view: Home brings it back" : NULL;

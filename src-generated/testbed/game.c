@@ -18,6 +18,8 @@ static void interface(ui *u, game *g, double seconds)
     game_state *s = g->state;
     float x = game_list_side(s) + 16, mouse = u->x;
     bar b = { x, s->width - 8, x, 10, s->height < LOW, 0, UI_ICON };
+    float each = (b.right - x - 150) / 14 - 4;          /* leaves room for the name */
+    if (each > 25 && each < UI_ICON) b.icon = each;
     if (s->bare) {
         s->head = 0;
         if (s->opened && game_drives_any(g)) game_controls(u, g);

@@ -366,8 +366,7 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     for (int i = 0; i < BODY_LINES; i++, y += high) {
         const body_line *line = &body_lines[i];
         if (!panel_shows(g, y, high)) continue;
-        bool asked = g->state->sought >> line->input & 1;
-        if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
+        if (ui_number(u, line->name, x, y, w, &n[i], line->range, false))
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, high);
     }
