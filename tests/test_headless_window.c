@@ -4,6 +4,7 @@
 #include <math.h>
 #include "testbed/game.h"
 #include "testbed/layer.h"
+#include "testbed/layout.h"
 
 /* ---- what a window says as it opens ---- */
 static char told[300], scene_told[100];
@@ -408,5 +409,112 @@ TEST(what_is_played_is_found_as_a_game)
     play_end(&p);
     begin(&p, 1100, 700, "steps 0\nscene pyramid\nframe\nkey /\nframe\nkey g\nframe\nkey a\nframe\nkey m\nframe\nkey e\nframe\nframe\n");
     assert_true(play_line(&p, "widget pinball") && play_line(&p, "widget race car"));
+    play_end(&p);
+}
+
+/* ---- what was chosen ---- */
+static void choose_a_joint(play *p)
+{
+    begin(p, 1100, 700, "steps 0\nscene pendulums\nframe\nframe\n");
+    if (!state_of(p)->panel) play_click(p, "Settings");
+    play_run(p, "steps 0\nframe\n");
+    play_click(p, "Body");
+    play_run(p, "steps 1\nwait 3\nsteps 0\nkey n\nframe\nframe\n");
+    const char *row = strstr(p->text, "\nwidget joint ");
+    assert_non_null(row);
+    char name[60];
+    snprintf(name, sizeof name, "%.*s", (int)(strstr(row, " pixel") - row - 8), row + 8);
+    play_click(p, name);
+    assert_non_null(strstr(p->text, "\nsaid chosen: joint "));
+    assert_non_null(strstr(p->text, "\njoint "));
+}
+
+/* Whatever leads to another scene, and whatever takes the joint away, also ends what was said of it. */
+TEST(no_joint_of_another_world_is_said_to_be_chosen)
+{
+    static const char *const way[] = { "key ]\nframe\nframe\n", "key [\nframe\nframe\n", "key r\nframe\nframe\n", "scene tower\nframe\nframe\n",
+        "key /\nframe\nkey t\nframe\nkey o\nframe\nkey w\nframe\nkey enter\nframe\nframe\n", "key delete\nframe\nkey undo\nframe\nframe\n",
+        "key escape\nframe\nframe\n", "key n\nframe\nframe\n", "key ,\nframe\nframe\n", "Next", "Reset", "Previous", "body 1" };
+    for (size_t i = 0; i < sizeof way / sizeof *way; i++) {
+        play p;
+        char script[200];
+        choose_a_joint(&p);
+        snprintf(script, sizeof script, "steps 0\n%s", way[i]);
+        if (strchr(way[i], '\n')) play_run(&p, script);
+        else if (strncmp(way[i], "body", 4) != 0 || strstr(p.text, "\nwidget body 1 ")) play_click(&p, way[i]);
+        play_run(&p, "steps 0\nframe\n");
+        bool says = strstr(p.text, "\nsaid chosen: joint ") != NULL, is = strstr(p.text, "\njoint ") != NULL;
+        if (says && !is) fail_msg("after '%s' it says: %.60s", way[i], strstr(p.text, "\nsaid") + 1);
+        if (strstr(p.text, "scene pendulums\n") != p.text && (says || is)) fail_msg("after '%s' a joint of another scene is chosen", way[i]);
+        play_end(&p);
+    }
+}
+
+/* ---- what is seen ---- */
+/* A low window names its scene, too. */
+TEST(a_low_window_names_its_scene)
+{
+    static const struct { int width, height; } of[] = { { 640, 400 }, { 600, 400 }, { 570, 380 }, { 480, 360 }, { 700, 400 } };
+    for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+        play p;
+        begin(&p, of[i].width, of[i].height, "steps 0\nscene pyramid\nframe\nframe\n");
+        memset(p.memory.transient, 0, p.memory.transient_size);
+        play_run(&p, "steps 0\nframe\n");
+        if (!is_drawn(&p, "pyramid")) fail_msg("%d x %d: no title", of[i].width, of[i].height);
+        play_end(&p);
+    }
+}
+
+/* The first row of the list stands where it begins, wherever it is scrolled to. */
+TEST(the_list_begins_at_its_top)
+{
+    play p;
+    begin(&p, 1100, 700, "steps 0\nscene pyramid\nframe\nframe\n");
+    for (int i = 0; i < 60; i++) {
+        state_of(&p)->scroll += 7.3f;
+        play_run(&p, "steps 0\nmove 700 300\nframe\nframe\n");
+        double first = 1e9;
+        for (const char *at = p.text; (at = strstr(at, "\nwidget ")) != NULL; at++) {
+            double x, y;
+            const char *pixel = strstr(at, " pixel ");
+            if (pixel && sscanf(pixel, " pixel %lf %lf", &x, &y) == 2 && fabs(x - LIST_WIDTH / 2.0) < 1 && y > LIST_TOP && y < first) first = y;
+        }
+        if (first > LIST_TOP + 1.5 * ROW + 1) fail_msg("scrolled by %g the list begins at %g", (double)state_of(&p)->scroll, first);     /* below a heading at most */
+    }
+    play_run(&p, "steps 0\nmove 100 300\nframe\nwheel -99\nframe\nframe\n");
+    char last[80];
+    snprintf(last, sizeof last, "widget %s", wfSceneAt(wfSceneCount() - 1)->name);
+    assert_non_null(play_line(&p, last));                           /* and its end is reached */
+    play_end(&p);
+}
+
+static bool is_ink(uint32_t pixel, int role)
+{
+    uint8_t is[4];
+    const wfInk ink = wfLightPalette.mark[role];
+    memcpy(is, &pixel, sizeof is);
+    return is[0] == ink.r && is[1] == ink.g && is[2] == ink.b;
+}
+
+/* Nothing is marked as changed in a challenge in which nothing was. */
+TEST(what_is_as_it_was_has_no_mark)
+{
+    play p;
+    begin(&p, 1100, 700, "steps -1\nseconds 0\nscene up-to-the-line\nframe\nframe\n");
+    play_click(&p, "Change it");
+    play_run(&p, "steps 0\nmove 700 690\nframe\nframe\n");
+    static const char *const name[] = { "restitution", "friction" };
+    for (int i = 0; i < 2; i++) {
+        char label[60];
+        snprintf(label, sizeof label, "widget %s pixel", name[i]);
+        int x = (int)play_fact(&p, label, 0), y = (int)play_fact(&p, label, 1), amber = 0, ink = 0;
+        for (int py = y - 9; py < y + 9; py++)
+            for (int px = x - 222; px < x - 50; px++) {
+                uint32_t c = p.buffer.pixels[py * p.buffer.pitch + px];
+                amber += is_ink(c, WF_INK_ACCENT);
+                ink += is_ink(c, WF_INK_TEXT);
+            }
+        if (amber || !ink) fail_msg("%s: %d pixels of amber, %d of ink", name[i], amber, ink);
+    }
     play_end(&p);
 }

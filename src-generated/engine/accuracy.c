@@ -429,18 +429,21 @@ static wfResult check_chosen(const wfAccuracy *chosen)
 
 wfResult wfUseSettings(wfWorld *world, const wfAccuracy *chosen)
 {
+    wfBlock b;
     wfResult result = check_chosen(chosen);
     if (result != WF_OK) return wfRefuseCall(world, result, "chosen", CHOSEN);
+    result = wfChangeBlock(world, &b);
+    if (result != WF_OK) return result;
     result = give_method(world, chosen->method, chosen->steps, chosen->frame);
     if (result == WF_OK) take_marks_off(world);
-    return result;
+    return wfRefuse(&b, wfTellOwn(world, result), "chosen", CHOSEN);
 }
 
 wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen)
 {
     wfResult result = check_chosen(chosen);
     if (result != WF_OK) return wfRefuseCall(world, result, "chosen", CHOSEN);
-    return make_steps(world, chosen->steps);
+    return wfTellOwn(world, make_steps(world, chosen->steps));
 }
 
 /* The frames of a second, one at least and 1000 at most. */
@@ -470,6 +473,7 @@ wfResult wfSetTolerance(wfWorld *world, wfReal frame, wfReal tolerance, wfAccura
     relax(&t, tolerance, &chosen);
     result = wfUseSettings(world, &chosen);
     if (result == WF_OK && chosen.relaxed > 0) take_marks(&t.coarse, world);
+    wfTellOwn(world, result);
     if (result == WF_OK) *out = chosen;
     wfDestroyWorld(&t.coarse), wfDestroyWorld(&t.fine);
     return result;

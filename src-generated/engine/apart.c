@@ -158,7 +158,8 @@ wfResult wfSetBodySubsteps(wfWorld *world, wfBodyId id, int32_t substeps)
     int32_t i;
     wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
-    if (substeps < 0) return wfRefuse(&b, WF_ERROR_RANGE, "substeps", "must be >= 0");
+    if (substeps < 0)
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "substeps", substeps, "must be >= 0");
     b.props[i].substeps = substeps;
     return WF_OK;
 }

@@ -104,21 +104,25 @@ wfResult wfTuneJointSpring(wfWorld *world, wfJoint *joint, wfReal frequency, wfR
     if (result == WF_OK) result = check_world_joint(&b, joint);
     if (result != WF_OK) return result;
     if (!(frequency > 0 && frequency < WF_HUGE))
-        return wfRefuse(&b, WF_ERROR_RANGE, "frequency", "must be above 0, in Hz");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "frequency", (double)frequency,
+                             "must be above 0 and finite, in Hz");
     if (!(ratio >= 0 && ratio < WF_HUGE))
-        return wfRefuse(&b, WF_ERROR_RANGE, "ratio", "must be 0 or more");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "ratio", (double)ratio,
+                             "must be 0 or more, and finite");
     wfJoint made = *joint;
     const wfBodyState *sA = &b.state[joint->a], *sB = &b.state[joint->b];
     made.flags |= WF_JOINT_SPRING;
     int32_t left = wfBuildJoint(&made, sA, sB, rows);
     while (left > 0 && r->law != WF_ROW_SPRING) r++, left--;
     if (left == 0)
-        return wfRefuse(&b, WF_ERROR_UNKNOWN, "joint.kind", "this kind has no spring");
+        return wfRefuseValue(&b, WF_ERROR_UNKNOWN, "joint.kind", joint->kind,
+                             "this kind has no spring");
     wfReal k = sA->invMass * wfDot(r->jA, r->jA) + sB->invMass * wfDot(r->jB, r->jB)
              + sA->invInertia * r->wA * r->wA + sB->invInertia * r->wB * r->wB;
     if (!(k > 0)) return wfRefuse(&b, WF_ERROR_MASS, "joint", "neither body gives way");
     wfSetJointSpring(&made, 1 / k, frequency, ratio);
-    result = wfRefuse(&b, wfCheckJoint(&made), "frequency", "too high");
+    result = wfRefuseValue(&b, wfCheckJoint(&made), "frequency", (double)frequency,
+                           "too high: its stiffness overflows");
     if (result == WF_OK) *joint = made;
     return result;
 }

@@ -450,7 +450,7 @@ wfResult wfDisableBodySleep(wfWorld *world, wfBodyId id, int32_t never)
     wfResult result = change_rest(WF_CALL, world, id, &b, &r, &i);
     if (result != WF_OK) return result;
     if (never != 0 && never != 1)
-        return wfRefuse(&b, WF_ERROR_RANGE, "never", "must be 0 or 1");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "never", never, "must be 0 or 1");
     if (r.flags == NULL) return WF_OK;      /* nobody ever sleeps here */
     if (never) wfWakeIsland(&b, i);
     if (never) r.flags[i] = WF_REST_NEVER;
@@ -519,7 +519,7 @@ wfResult wfEnableBody(wfWorld *world, wfBodyId id, int32_t enabled)
     wfResult result = wfChangeBody(world, id, &b, &i);
     if (result != WF_OK) return result;
     if (enabled != 0 && enabled != 1)
-        return wfRefuse(&b, WF_ERROR_RANGE, "enabled", "must be 0 or 1");
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "enabled", enabled, "must be 0 or 1");
     if (wfIsEnabled(&b, i) == (enabled == 1)) return WF_OK;
     tell_ends(&b, i);
     b.alive[i] = enabled ? 1 : WF_DISABLED;

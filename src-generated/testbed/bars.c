@@ -49,7 +49,8 @@ static void reveal_row(game_state *s, float y, float each, float room)
 static int list_scenes(ui *u, game *g)
 {
     game_state *s = g->state;
-    float room = list_room(u), y = LIST_TOP - s->scroll, each = ui_row_high(u);
+    float room = list_room(u), each = ui_row_high(u);
+    float up = u->finger ? s->scroll : each * ceilf(s->scroll / each), y = LIST_TOP - up;
     int chosen = -1;
     for (int i = 0; i < game_scene_count(g); i++) {
         const wfScene *scene = game_scene_at(g, i);
@@ -67,8 +68,8 @@ static int list_scenes(ui *u, game *g)
     return chosen;
 }
 
-/* How well the query fits the scene: its name, what is told of it, letters of its name. What
- * is driven or a task is a game. */
+/* How well the query fits the scene: its name, what is told of it, letters of its name.
+ * What is driven or a task is a game. */
 static float scene_fit(const wfScene *scene, const char *query)
 {
     bool played = scene->alias != NULL;
@@ -185,6 +186,8 @@ static void press_size(game *g)
     g->state->reveal = 1;
 }
 
+static void press_more(game *g) { g->state->bar = 0; }      /* the tools stand there, too */
+
 static const button_row button_table[] = {
     { "List", NULL, GAME_KEY_TAB, FLAG(list), NULL, "the list of scenes" },
     { "Tools", NULL, 0, FLAG(bar), NULL, "what a press does: the row below" },
@@ -199,6 +202,7 @@ static const button_row button_table[] = {
     { "Size", NULL, ')', 0, press_size, "larger letters and buttons, and small again" },
     { "Dark", "Light", 'd', FLAG(dark), NULL, "dark on light, or light on dark" },
     { "Keys", NULL, '?', FLAG(keys), NULL, "what each key does" },
+    { "More", NULL, 0, FLAG(more), press_more, "other buttons: the row below" },
     { "Settings", NULL, 's', FLAG(panel), NULL, "numbers to change, at the right" },
 };
 enum { BUTTONS = sizeof button_table / sizeof *button_table };
@@ -207,7 +211,7 @@ static bool is_on(const game *g, const button_row *row)
 {
     int32_t on = 0;
     if (row->flag) memcpy(&on, (const uint8_t *)g->state + row->flag, sizeof on);
-    return on != 0;
+    return on != 0 && !(row->press == press_more && g->state->bar);
 }
 
 void game_press_button(game *g, const button_row *row)
@@ -241,43 +245,78 @@ bool bar_button(ui *u, bar *b, const char *name, bool on, const char *text)
     bar_room(u, b, w);
     bool hit = ui_button(u, name, b->x, b->y, w, on);
     ui_tip(u, name, text, b->x, b->y, w, 24);
-    b->x += w + 4;
+    b->x += w + b->gap;
     return hit;
+}
+
+/* On a telephone the buttons are icons in one row; these stand in another, which "More"
+ * brings, in the place of the tools. */
+static bool is_narrow(const game_state *s) { return s->finger && s->width < LIST_ROOM; }
+static bool is_more(const button_row *row)
+{
+    return row->flag == FLAG(dark) || (row->press && row->press != press_reset &&
+           row->press != game_undo && row->press != press_more);
+}
+
+static void one_button(ui *u, game *g, bar *b, const button_row *row)
+{
+    game_state *s = g->state;
+    bool on = is_on(g, row);
+    b->least = fmaxf(button_wide(row->name), row->other ? button_wide(row->other) : 0);
+    float from = b->x;
+    if (!bar_button(u, b, on && row->other ? row->other : row->name, on && !row->other,
+                    row->text)) return;
+    game_press_button(g, row);
+    if (!u->click || u->finger) return;
+    if (row->press != press_size && (row->flag != FLAG(list) || s->narrow)) return;
+    float w = b->x - b->gap - (from < b->x ? from : b->left), k = u->scale;
+    s->again = 1 + (int32_t)(row - button_table);
+    s->again_at[0] = (b->x - b->gap - w / 2) * k, s->again_at[1] = (b->y + 12) * k;
+    s->again_at[2] = w * k, s->again_at[3] = 24 * k;
+}
+
+/* A button of this scene alone. Where the tools or the row of "More" are shown on a
+ * telephone it takes no third row. */
+static bool own_button(ui *u, const game_state *s, bar *b, const char *name,
+                       const char *text)
+{
+    bool full = is_narrow(s) && (s->bar || s->more);
+    if (full && b->x + button_wide(name) > b->right) return false;
+    return bar_button(u, b, name, false, text);
+}
+
+static void own_buttons(ui *u, game *g, bar *b)
+{
+    game_state *s = g->state;
+    const char *change = g->scene->change;
+    if (s->rate != 1 && own_button(u, s, b, "Real time", "as fast as it is")) s->rate = 1;
+    if (change && own_button(u, s, b, change, "the key T does it, too")) s->input.choice++;
+    if (g->scene->points > 1 && own_button(u, s, b, "Turn it", "as the keys Q and E"))
+        s->input.turn = wfWrapAngle(s->input.turn + WF_R(0.3));
 }
 
 void game_buttons(ui *u, game *g, bar *b)
 {
-    game_state *s = g->state;
-    bool terse = b->terse;
-    for (int i = 0; i < BUTTONS; i++) {
-        const button_row *row = &button_table[i];
-        bool on = is_on(g, row), narrow = g->state->finger && g->state->width < LIST_ROOM;
-        if (narrow && (row->press == press_previous || row->press == press_next ||
-                       row->key == '?')) continue;
-        bool brief = (row->press && row->press != press_step) || row->flag == FLAG(dark);
-        if (narrow && !terse) b->terse = brief, b->icon = 30;
-        b->least = fmaxf(button_wide(row->name), row->other ? button_wide(row->other) : 0);
-        float from = b->x;
-        if (!bar_button(u, b, on && row->other ? row->other : row->name, on && !row->other,
-                        row->text)) continue;
-        game_press_button(g, row);
-        if (!u->click || u->finger) continue;
-        if (row->press != press_size && (row->flag != FLAG(list) || s->narrow)) continue;
-        float w = b->x - 4 - (from < b->x ? from : b->left), k = u->scale;
-        s->again = 1 + i;
-        s->again_at[0] = (b->x - 4 - w / 2) * k, s->again_at[1] = (b->y + 12) * k;
-        s->again_at[2] = w * k, s->again_at[3] = 24 * k;
+    bool narrow = is_narrow(g->state), more = g->state->more && !g->state->bar;
+    if (narrow) {
+        int in_row = 0;
+        for (int i = 0; i < BUTTONS; i++) in_row += !is_more(&button_table[i]);
+        in_row--;                                           /* no keys, no sheet of keys */
+        b->terse = true, b->gap = 2;
+        b->icon = fminf(UI_ICON, (b->right - b->left + b->gap) / (float)in_row - b->gap);
+    }
+    for (int part = 0; part <= (narrow && more); part++) {
+        if (part) b->x = b->left, b->y += ui_bar_high(u);
+        for (int i = 0; i < BUTTONS; i++) {
+            const button_row *row = &button_table[i];
+            bool skip = narrow ? row->key == '?' || is_more(row) != part
+                               : row->press == press_more;
+            if (!skip) one_button(u, g, b, row);
+        }
     }
     b->least = 0;
-    b->terse = terse;
-    if (g->state->rate != 1 && bar_button(u, b, "Real time", false, "as fast as it is"))
-        g->state->rate = 1;
-    const char *change = g->scene->change;
-    if (change && bar_button(u, b, change, false, "the key T does it, too"))
-        g->state->input.choice++;
-    if (g->scene->points > 1 && bar_button(u, b, "Turn it", false, "as the keys Q and E"))
-        g->state->input.turn = wfWrapAngle(g->state->input.turn + WF_R(0.3));
-}
+    own_buttons(u, g, b);
+    }
 
 const char *game_hint(const game *g, bool low)
 {
@@ -315,7 +354,7 @@ static const char *why_empty(const game *g)
         left += !here && !is_seen(&v, i, at_home);
     }
     bool goes_along = g->scene->follow || g->scene->alias || g->scene->points;
-    if (2 * left > all && !goes_along)                  /* Reset would delete what was built */
+    if (2 * left > all && !goes_along)              /* Reset would delete what was built */
         return game_was_changed(g->state) || g->state->read ? "most has left: Home shows it"
                : "most has left: Reset brings it back";
     return all && !seen ? "nothing is in view: Home brings it back" : NULL;
@@ -394,15 +433,17 @@ void game_choose_tool(game *g, int tool)
     snprintf(m->said, sizeof m->said, "%s: %s", toolTable[tool].name, toolTable[tool].text);
 }
 
+enum { TOOL_ASKS = 3 };                 /* choices that a tool has, at most */
 void game_tool_bar(ui *u, game *g, bar *b)
 {
     tool_memory *m = &g->state->tools;
-    float room = b->right - b->left, wide = 106, all = 0, n = 0;
+    float room = b->right - b->left, wide = 106, all = 0, n = 0, rest;
+    bool low = g->state->height < LOW;
     b->x = b->left;
     b->y += ui_bar_high(u);
     for (int i = 0; i < toolCount; i++) all += button_wide(toolTable[i].name) + 4;
     for (int i = 0; i < TOOL_CHOICES; i++) n += (toolTable[m->tool].choices >> i & 1) != 0;
-    bool tight = all - 4 > room;
+    bool tight = all - 4 + (low ? TOOL_ASKS * (wide + 6) : 0) > room;
     for (int i = 0; i < toolCount; i++) {
         const tool_row *t = &toolTable[i];
         float each = fminf(UI_ICON, room / (float)toolCount);
@@ -412,15 +453,18 @@ void game_tool_bar(ui *u, game *g, bar *b)
         if (tight) b->x += each;
         if (hit) game_choose_tool(g, i);
     }
-    bool below = tight || b->x + n * (wide + 6) - 6 > b->right;
-    float high = ui_bar_high(u), y = b->y + (u->finger ? 12 - high / 2 : 1);
+    if (tight) b->x += 6;
+    rest = (b->right - b->x + 6) / TOOL_ASKS - 6;               /* for each, in the same row */
+    bool below = low ? rest < 70 : tight || b->x + n * (wide + 6) - 6 > b->right;
+    float high = ui_bar_high(u), line = ui_line_high(u), y = b->y + 12 - line / 2;
+    if (low && !below) wide = fminf(wide, rest);
     if (below && n > 0) {
         wide = fminf(wide, (room + 6) / n - 6);
         b->x = b->right - n * (wide + 6) + 6;
         b->right = b->x - 6;
-        y += g->state->height < LOW ? high : fmaxf(36, high);
-        if (g->scene->alias && g->state->height < LOW) b->y += high;    /* a task's card */
+        y += fmaxf(low ? 0 : 36, high);
     }
+    if (low && below) b->y += high;                         /* whichever tool it is */
     for (int i = 0; i < TOOL_CHOICES; i++) {
         const tool_names *c = &toolChoices[i];
         int row = m->choice[i];

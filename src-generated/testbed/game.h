@@ -70,6 +70,7 @@ typedef struct game_state {
     /* what the game remembers of settings and time */
     uint32_t wanted_on, wanted_off;     /* overlays, other than the scene says */
     tool_memory tools;
+    int32_t more;                       /* the row of more buttons is shown */
     int32_t again;                      /* 1 + a button that stays under the mouse; 0: none */
     float again_at[4];                  /* ... where: its middle and size, pixels */
     wfBodyId hover;                     /* the body under the mouse; index 0: none */
@@ -127,7 +128,6 @@ typedef struct game_state {
     undo_moment undo[UNDO_MOST];        /* worlds before a change, and those that undo left */
     int32_t undo_at, undo_count;        /* the world is undo[undo_at], or new; how many */
     int32_t editing;                    /* 1: a change began in this frame; 2: and goes on */
-    uint64_t sought;                    /* bit of a kind of input: the task is about these */
     int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
     int32_t bar;                        /* the tools are shown */
     float panel_scroll, head;           /* head: height of the strip at the top, units */

@@ -20,7 +20,7 @@ typedef struct layer_options {
     char wrong[240];                    /* what was wrong */
 } layer_options;
 
-/* takes: t a text, i a whole number, f a number, s two whole ones with an x between them. */
+/* takes: t a text, i a whole number, f a number, s two whole ones with an x between. */
 typedef struct layer_option {
     const char *name, *value, *text;
     size_t place;                       /* in layer_options */

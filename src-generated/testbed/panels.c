@@ -366,8 +366,12 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     for (int i = 0; i < BODY_LINES; i++, y += high) {
         const body_line *line = &body_lines[i];
         if (!panel_shows(g, y, high)) continue;
-        bool asked = g->state->sought >> line->input & 1;
-        if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
+        if (i == B_FRICTION && g->scene->untold == 1 + wfBodyIndex(&g->world, id)) {
+            ui_text(u, x, y + high / 2 + 4, 13, WF_INK_TEXT, -1, line->name);
+            ui_text(u, x + w - 6, y + high / 2 + 4, 13, WF_INK_TEXT, 1, "?");
+            continue;
+        }
+        if (ui_number(u, line->name, x, y, w, &n[i], line->range, false))
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, high);
     }
@@ -559,7 +563,7 @@ static float joint_panel(ui *u, game *g, wfJointId id, float x, float y, float w
 static float joint_rows(ui *u, game *g, wfBodyId id, float x, float y, float w)
 {
     wfJointId at = wfNextJoint(&g->world, id, (wfJointId){ 0, 0 });
-    float high = ui_row_high(u);
+    float high = ui_bar_high(u), first = y;
     for (; at.index; at = wfNextJoint(&g->world, id, at), y += high) {
         wfJoint j;
         char name[GAME_NAME_SIZE];
@@ -567,9 +571,9 @@ static float joint_rows(ui *u, game *g, wfBodyId id, float x, float y, float w)
         snprintf(name, sizeof name, "joint %d: %s", (int)at.index - 1,
                  tool_joint_name(&j));
         tool_work t = game_tools_of(g);
-        if (ui_row(u, name, x, y, w, false)) tool_choose_joint(&t, at);
+        if (ui_button(u, name, x, y + 3, w, false)) tool_choose_joint(&t, at);
     }
-    return y;
+    return y > first ? y + 2 : y;
 }
 
 void game_say_joint(wfWriter *w, const game *g)

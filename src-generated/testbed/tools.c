@@ -69,6 +69,7 @@ void tool_choose(tool_memory *m, wfBodyId id)
     m->count = id.index != 0;
     m->chosen[0] = id;
     m->joint = m->near = (wfJointId){ 0, 0 };
+    if (strncmp(m->said, "chosen: ", 8) == 0) m->said[0] = 0;       /* another one was */
 }
 
 void tool_lead(tool_memory *m, wfBodyId id)
@@ -86,10 +87,11 @@ void tool_forget(tool_work *w)
     int32_t kept = 0;
     for (int32_t i = 0; i < m->count; i++)
         if (wfBodyIsValid(w->world, m->chosen[i])) m->chosen[kept++] = m->chosen[i];
-    m->count = kept;
     if (!wfBodyIsValid(w->world, m->body)) m->body = (wfBodyId){ 0 };
     wfJoint j;
-    if (wfGetJoint(w->world, m->joint, &j) != WF_OK) m->joint = (wfJointId){ 0, 0 };
+    if (m->joint.index && wfGetJoint(w->world, m->joint, &j) != WF_OK)
+        tool_choose(m, m->chosen[0]);
+    m->count = kept;
 }
 
 /* How far a place is from a body, m; more than reach: no nearer than that. */

@@ -25,7 +25,6 @@ static uint64_t sum_of(game *g)
 void game_begin_challenge(game *g)
 {
     g->state->challenge = 1 + wfFindChallenge(g->scene->name);
-    if (challenge_of(g)->changed >= 0) g->state->sought = challenge_of(g)->before;
     const char *with = challenge_of(g)->with, *tool = toolTable[g->state->tools.tool].name;
     if (!with || strcmp(with, tool) != 0) g->state->tools.tool = 0;     /* the hand */
     g->state->given = g->state->opened ? sum_of(g) : 0;
