@@ -238,6 +238,22 @@ TEST(the_hint_lies_on_no_body)
     }
 }
 
+/* What is said of a demo stands on the last line in every window, and not across the scene. */
+TEST(a_demo_is_told_below_its_scene)
+{
+    static const char *const scenes[] = { "pinball", "maze", "race-car", "goods-lift" };
+    static const int size[][2] = { { 1100, 680 }, { 1600, 900 }, { 900, 560 } };
+    for (int i = 0; i < 12; i++) {
+        play p;
+        int box[4];
+        begin(&p, size[i / 4][0], size[i / 4][1], 1, 0, scenes[i % 4]);
+        play_run(&p, "steps 1\nwait 20\n");
+        const int foot[4] = { (int)state_of(&p)->camera.left, p.buffer.height - 26, p.buffer.width, p.buffer.height };
+        if (ink_box(&p, wfLightPalette.mark[WF_INK_ACCENT], foot, box) < 50) fail_msg("%s, %d wide: the last line doesn't say that it is a demo", scenes[i % 4], p.buffer.width);
+        play_end(&p);
+    }
+}
+
 /* Long words of the last line have two. */
 TEST(what_a_tool_says_is_whole)
 {
