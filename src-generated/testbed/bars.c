@@ -321,8 +321,8 @@ void game_buttons(ui *u, game *g, bar *b)
 const char *game_hint(const game *g, bool low)
 {
     const game_state *s = g->state;
-    bool drives = game_drives_any(g), narrow = s->width < LIST_ROOM;
-    if (low != (s->height < LOW || game_has_panes(s) || (drives && narrow))) return NULL;
+    bool drives = game_drives_any(g);           /* such a scene fills its room */
+    if (low != (s->height < LOW || game_has_panes(s) || drives)) return NULL;
     if (drives) return game_tell_driver(g);
     return s->hint && !s->tools.tool ? "Grab something: drag it, and throw it." : NULL;
 }
