@@ -429,14 +429,11 @@ static wfResult check_chosen(const wfAccuracy *chosen)
 
 wfResult wfUseSettings(wfWorld *world, const wfAccuracy *chosen)
 {
-    wfBlock b;
     wfResult result = check_chosen(chosen);
     if (result != WF_OK) return wfRefuseCall(world, result, "chosen", CHOSEN);
-    result = wfChangeBlock(world, &b);
-    if (result != WF_OK) return result;
     result = give_method(world, chosen->method, chosen->steps, chosen->frame);
     if (result == WF_OK) take_marks_off(world);
-    return wfRefuse(&b, wfTellOwn(world, result), "chosen", CHOSEN);
+    return wfTellOwn(world, result);
 }
 
 wfResult wfStepFrame(wfWorld *world, const wfAccuracy *chosen)

@@ -245,14 +245,20 @@ wfResult wfSetBodyTransform(wfWorld *world, wfBodyId id, wfVec2 position, wfReal
     return WF_OK;
 }
 
-static void give_velocity(wfBlock *b, int32_t i, wfVec2 velocity, wfReal angularVelocity)
+static wfResult give_velocity(wfBlock *b, int32_t i, wfVec2 velocity,
+                              wfReal angularVelocity)
 {
     wfBodyState *s = &b->state[i];
+    uint32_t modules = angularVelocity != 0 ? WF_MODULE_ROTATION : 0;
+    wfResult result = wfRequireModules(b, modules);
+    if (result != WF_OK) return result;
+    wfUse(b, modules);
     bool moved = s->v.x != 0 || s->v.y != 0 || s->w != 0;
     bool moves = velocity.x != 0 || velocity.y != 0 || angularVelocity != 0;
     s->v = velocity;
     s->w = angularVelocity;
     if (moved != moves || b->props[i].type == WF_DYNAMIC) wfBodyChanged(b, i);
+    return WF_OK;
 }
 
 wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
@@ -268,16 +274,11 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     if (b.props[i].type == WF_STATIC)
         return wfRefuse(&b, WF_ERROR_RANGE, "velocity",
                         "a static body has none: make it kinematic by wfChangeBodyType");
-    uint32_t modules = angularVelocity != 0 ? WF_MODULE_ROTATION : 0;
-    result = wfRequireModules(&b, modules);
-    if (result != WF_OK) return result;
     if (angularVelocity != 0 && b.props[i].fixedRotation)
         return wfRefuseValue(&b, WF_ERROR_RANGE, "angularVelocity", (double)angularVelocity,
                              "the body has fixedRotation, must be 0: "
                              "let it turn by wfSetBodyFixedRotation");
-    wfUse(&b, modules);
-    give_velocity(&b, i, velocity, angularVelocity);
-    return WF_OK;
+    return give_velocity(&b, i, velocity, angularVelocity);
 }
 
 wfResult wfSetBodyMass(wfWorld *world, wfBodyId id, wfReal mass)
@@ -425,11 +426,7 @@ wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal an
     if (!wfIsFinite2(velocity) || !wfIsFinite(turn / seconds))
         return wfRefuseValue(&b, WF_ERROR_NOT_FINITE, "seconds", (double)seconds,
                              "no velocity is so high: give it more time");
-    result = wfRequireModules(&b, turn != 0 ? WF_MODULE_ROTATION : 0);
-    if (result != WF_OK) return result;
-    wfUse(&b, turn != 0 ? WF_MODULE_ROTATION : 0);
-    give_velocity(&b, i, velocity, turn / seconds);
-    return WF_OK;
+    return give_velocity(&b, i, velocity, turn / seconds);
 }
 
 /* push a body in a world */

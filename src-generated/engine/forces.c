@@ -148,12 +148,13 @@ wfResult wfSetMouseTarget(wfWorld *world, wfForceId hand, wfVec2 point)
     wfResult result = change_force(WF_CALL, world, hand, &b, &i);
     if (result == WF_OK) result = wfCheckVector(&b, "point.", point);
     if (result != WF_OK) return result;
-    wfForce f = b.forces[i];
-    if (f.kind != wfFindForce("hand"))
+    wfForce *f = &b.forces[i];
+    if (f->kind != wfFindForce("hand"))
         return wfRefuseValue(&b, WF_ERROR_RANGE, "hand", hand.index,
                              "this force is no hand: wfAddMouseJoint makes one");
-    f.hand.target = point;
-    return wfTellOwn(world, wfSetForce(world, hand, &f));
+    f->hand.target = point;
+    wfEndsChanged(&b, f->a, f->b);
+    return WF_OK;
 }
 
 wfForceId wfForceAt(const wfWorld *world, int32_t i)
