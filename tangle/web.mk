@@ -4,13 +4,17 @@
 # packed by xz, as text. With binaryen's wasm-split the testbed comes in two: testbed.wasm has the functions that OUT/first.list names, and
 # testbed-rest.wasm what is asked for later; without it, in one. Needs clang, wasm-ld, xz, Debian's wasi-libc and clang's builtins for wasm32;
 # the linker must not leave a single import: a module asks nothing of the page but its own rest.
-# (binaryen's wasm-opt makes a module a sixth smaller, and what is packed of it not at all: it isn't used.)
+# Of what binaryen's wasm-opt can do, two things make the testbed smaller when it is packed, by a hundredth: a constant part of an address goes into
+# the load or the store (--low-memory-unused: nothing lies below --global-base, where such an address would mean another), and locals that are used
+# most come first. (All of -Oz makes a module a sixth smaller, and what is packed of it not at all.)
 SRC ?= build/weave/src
 OUT ?= build/web
 NW ?= $(shell tangle/chapters)
 WEBCC ?= $(firstword $(foreach c,clang clang-19 clang-18 clang-17 clang-16 clang-15 clang-14,$(if $(shell command -v $(c)),$(c))))
 WEBLD ?= $(firstword $(foreach c,wasm-ld wasm-ld-19 wasm-ld-18 wasm-ld-17 wasm-ld-16 wasm-ld-15 wasm-ld-14,$(if $(shell command -v $(c)),$(c))))
 SPLIT ?= $(shell command -v wasm-split)
+OPT := $(if $(shell command -v wasm-opt),wasm-opt --low-memory-unused --optimize-added-constants --reorder-locals -g)
+FEATURES := --enable-bulk-memory --enable-simd --enable-nontrapping-float-to-int --enable-mutable-globals --enable-sign-ext
 SYSROOT ?= /usr
 RT := $(firstword $(wildcard $(shell $(WEBCC) -print-resource-dir 2>/dev/null)/lib/wasi/libclang_rt.builtins-wasm32.a /usr/lib/llvm-*/lib/clang/*/lib/wasi/libclang_rt.builtins-wasm32.a))
 FILES := $(filter-out %.schema.json,$(wildcard testbed/scenes/*.json))
@@ -18,7 +22,7 @@ CJSON_SRC ?= build/cjson
 HAVE_CJSON := $(shell [ -d $(CJSON_SRC) ] || tangle/cjson $(CJSON_SRC) >&2; ls $(CJSON_SRC)/cjson/cJSON.c 2>/dev/null)
 FLAGS = --target=wasm32-wasi --sysroot=$(SYSROOT) -Oz -std=gnu11 -ffp-contract=off -fno-math-errno -mbulk-memory -mnontrapping-fptoint \
          -flto -ffunction-sections -fdata-sections -DNDEBUG -DWF_ENGINE -DWF_NO_JSON -Dsnprintf=web_snprintf -Dvsnprintf=web_vsnprintf -I$(SRC)/include -I$(SRC) -I$(OUT) -idirafter $(STB)
-LINK = $(WEBLD) --no-entry --gc-sections --lto-O2 -mllvm --enable-merge-functions -L$(SYSROOT)/lib/wasm32-wasi
+LINK = $(WEBLD) --no-entry --gc-sections --global-base=1024 --lto-O2 -mllvm --enable-merge-functions -L$(SYSROOT)/lib/wasm32-wasi
 FONT_SIZES := 13 26
 FONT_FLAGS := --ascii
 FONTCC = $(WEBCC) $(FLAGS)
@@ -75,12 +79,13 @@ $(OUT)/figures-%.wasm: $(OUT)/obj/pages/%/.stamp $(FIGURES)
 # The whole testbed, with its functions' names; its two parts have none.
 $(OUT)/whole.wasm: $(TESTBED)
 	@$(LINK) --strip-debug -Map=$(OUT)/whole.map $^ -lc $(RT) -o $@
+	@$(if $(OPT),$(OPT) $(FEATURES) $@ -o $@)
 # Functions that the whole has under a name of the list; the compiler tells two of one name apart by a number.
 $(OUT)/first.list: $(OUT)/whole.wasm tangle/web.first
 	@sed -nE 's/.*:\(([^() ]+)\)$$/\1/p' $(OUT)/whole.map | awk 'NR == FNR { if (!/^#/) first[$$1]; next } { n = $$1; sub(/\.[0-9]+$$/, "", n); if (n in first) print $$1 }' tangle/web.first - | sort -u > $@
 $(OUT)/testbed.wasm: $(OUT)/whole.wasm $(OUT)/first.list
 ifneq ($(SPLIT),)
-	@$(SPLIT) --quiet --split --enable-bulk-memory --enable-simd --enable-nontrapping-float-to-int --enable-mutable-globals --enable-sign-ext \
+	@$(SPLIT) --quiet --split $(FEATURES) \
 	  --keep-funcs=@$(OUT)/first.list $< -o1 $@ -o2 $(OUT)/testbed-rest.wasm
 $(OUT)/testbed-rest.wasm: $(OUT)/testbed.wasm ;
 $(OUT)/live-testbed.js: $(OUT)/live-testbed-rest.js
