@@ -173,7 +173,7 @@ static void press_reset(game *g)
     game_open_scene(g, g->state->row);
     for (size_t i = 0; i < sizeof g->state->changed; i++) any |= g->state->changed[i] != 0;
     if (any)
-        game_tell(g, false, "your settings stay (the page World takes them back); "
+        game_tell(g, false, "your settings stay (page World has them); "
                             "Undo brings back the rest");
 }
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
@@ -197,7 +197,7 @@ static const button_row button_table[] = {
     { "Previous", NULL, '[', 0, press_previous, "the scene before this one" },
     { "Next", NULL, ']', 0, press_next, "the next scene" },
     { "Home", NULL, 'h', 0, game_press_home, "the whole scene; again: all that moves" },
-    { "Size", NULL, ')', 0, press_size, "larger letters and buttons, and small again" },
+    { "Size", NULL, ')', 0, press_size, "larger letters and buttons, and back" },
     { "Dark", "Light", 'd', FLAG(dark), NULL, "dark on light, or light on dark" },
     { "Keys", NULL, '?', FLAG(keys), NULL, "what each key does" },
     { "Settings", NULL, 's', FLAG(panel), NULL, "numbers to change, at the right" },
@@ -274,7 +274,7 @@ void game_buttons(ui *u, game *g, bar *b)
     if (g->state->rate != 1 && bar_button(u, b, "Real time", false, "as fast as it is"))
         g->state->rate = 1;
     const char *change = g->scene->change;
-    if (change && bar_button(u, b, change, false, "the key T does it, too"))
+    if (change && bar_button(u, b, change, false, "as the key T"))
         g->state->input.choice++;
     if (g->scene->points > 1 && bar_button(u, b, "Turn it", false, "as the keys Q and E"))
         g->state->input.turn = wfWrapAngle(g->state->input.turn + WF_R(0.3));

@@ -366,7 +366,8 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
     for (int i = 0; i < BODY_LINES; i++, y += high) {
         const body_line *line = &body_lines[i];
         if (!panel_shows(g, y, high)) continue;
-        if (ui_number(u, line->name, x, y, w, &n[i], line->range, false))
+        bool asked = strstr(g->state->sought, line->name) != NULL;
+        if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, high);
     }
