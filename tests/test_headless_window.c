@@ -302,7 +302,7 @@ TEST(a_file_of_no_curves_is_refused)
     play_click(&p, "Compare");
     play_run(&p, "steps 1\nwait 5\n");
     assert_null(play_line(&p, "widget Curves as CSV"));
-    assert_true(is_drawn(&p, "Curves as CSV: choose a curve"));
+    assert_true(is_drawn(&p, "Curves as CSV: none is on"));
     play_click(&p, "curve: place");
     play_run(&p, "steps 1\nwait 5\n");
     assert_null(play_line(&p, "widget Curves as CSV"));
@@ -376,7 +376,7 @@ TEST(a_kick_before_the_start_is_seen)
         if (!play_line(&p, body)) body[0] = 0;
     }
     kick(&p, body, 0, 0);
-    assert_true(play_says(&p, "said press on a body, pull, let go"));
+    assert_non_null(strstr(p.text, "\nsaid press on a body, pull, let go"));
     kick(&p, body, 50, -20);
     if (!strstr(p.text, "\nsaid kicked: 5.4 m/s, as time runs\n")) fail_msg("%s", strstr(p.text, "\nsaid"));
     memset(p.memory.transient, 0, p.memory.transient_size);
@@ -488,33 +488,30 @@ TEST(the_list_begins_at_its_top)
     play_end(&p);
 }
 
-static bool is_ink(uint32_t pixel, int role)
+/* In a challenge the number that it asks for is marked, and no other. */
+TEST(what_a_challenge_asks_for_is_marked_alone)
 {
-    uint8_t is[4];
-    const wfInk ink = wfLightPalette.mark[role];
-    memcpy(is, &pixel, sizeof is);
-    return is[0] == ink.r && is[1] == ink.g && is[2] == ink.b;
-}
-
-/* Nothing is marked as changed in a challenge in which nothing was. */
-TEST(what_is_as_it_was_has_no_mark)
-{
-    play p;
-    begin(&p, 1100, 700, "steps -1\nseconds 0\nscene up-to-the-line\nframe\nframe\n");
-    play_click(&p, "Change it");
-    play_run(&p, "steps 0\nmove 700 690\nframe\nframe\n");
-    static const char *const name[] = { "restitution", "friction" };
-    for (int i = 0; i < 2; i++) {
+    static const char *const of[][2] = { { "up-to-the-line", "restitution" }, { "unknown-floor", "friction" }, { "no-swing", "linear damping" },
+                                         { "one-tick-a-second", "mass" } };
+    static const char *const name[] = { "mass", "density", "restitution", "friction", "linear damping", "angular damping", "velocity.x", "spin" };
+    for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
+        play p;
         char label[60];
-        snprintf(label, sizeof label, "widget %s pixel", name[i]);
-        int x = (int)play_fact(&p, label, 0), y = (int)play_fact(&p, label, 1), amber = 0, ink = 0;
-        for (int py = y - 9; py < y + 9; py++)
-            for (int px = x - 222; px < x - 50; px++) {
-                uint32_t c = p.buffer.pixels[py * p.buffer.pitch + px];
-                amber += is_ink(c, WF_INK_ACCENT);
-                ink += is_ink(c, WF_INK_TEXT);
-            }
-        if (amber || !ink) fail_msg("%s: %d pixels of amber, %d of ink", name[i], amber, ink);
+        snprintf(label, sizeof label, "steps -1\nseconds 0\nscene %s\nframe\nframe\n", of[k][0]);
+        begin(&p, 1100, 700, label);
+        play_click(&p, "Change it");
+        play_run(&p, "steps 0\nmove 700 690\nframe\nframe\n");
+        for (size_t i = 0; i < sizeof name / sizeof *name; i++) {
+            snprintf(label, sizeof label, "widget %s pixel", name[i]);
+            int x = (int)play_fact(&p, label, 0), y = (int)play_fact(&p, label, 1), amber = 0;
+            for (int py = y - 9; py < y + 9; py++)
+                for (int px = x - 222; px < x - 50; px++) {
+                    const uint8_t *c = (const uint8_t *)(p.buffer.pixels + py * p.buffer.pitch + px);
+                    amber += c[0] - c[2] > 60;                      /* far more red than blue */
+                }
+            bool asked = strcmp(name[i], of[k][1]) == 0;
+            if (asked != (amber > 5)) fail_msg("%s, %s: %d pixels of amber", of[k][0], name[i], amber);
+        }
+        play_end(&p);
     }
-    play_end(&p);
 }

@@ -173,7 +173,7 @@ static void press_reset(game *g)
     game_open_scene(g, g->state->row);
     for (size_t i = 0; i < sizeof g->state->changed; i++) any |= g->state->changed[i] != 0;
     if (any)
-        game_tell(g, false, "your settings stay (the page World takes them back); "
+        game_tell(g, false, "your settings stay (page World has them); "
                             "Undo brings back the rest");
 }
 static void press_previous(game *g) { game_open_scene(g, g->state->row - 1); }
@@ -199,7 +199,7 @@ static const button_row button_table[] = {
     { "Previous", NULL, '[', 0, press_previous, "the scene before this one" },
     { "Next", NULL, ']', 0, press_next, "the next scene" },
     { "Home", NULL, 'h', 0, game_press_home, "the whole scene; again: all that moves" },
-    { "Size", NULL, ')', 0, press_size, "larger letters and buttons, and small again" },
+    { "Size", NULL, ')', 0, press_size, "larger letters and buttons, and back" },
     { "Dark", "Light", 'd', FLAG(dark), NULL, "dark on light, or light on dark" },
     { "Keys", NULL, '?', FLAG(keys), NULL, "what each key does" },
     { "More", NULL, 0, FLAG(more), press_more, "other buttons: the row below" },
@@ -290,7 +290,7 @@ static void own_buttons(ui *u, game *g, bar *b)
     game_state *s = g->state;
     const char *change = g->scene->change;
     if (s->rate != 1 && own_button(u, s, b, "Real time", "as fast as it is")) s->rate = 1;
-    if (change && own_button(u, s, b, change, "the key T does it, too")) s->input.choice++;
+    if (change && own_button(u, s, b, change, "as the key T")) s->input.choice++;
     if (g->scene->points > 1 && own_button(u, s, b, "Turn it", "as the keys Q and E"))
         s->input.turn = wfWrapAngle(s->input.turn + WF_R(0.3));
 }
@@ -316,7 +316,7 @@ void game_buttons(ui *u, game *g, bar *b)
     }
     b->least = 0;
     own_buttons(u, g, b);
-    }
+}
 
 const char *game_hint(const game *g, bool low)
 {

@@ -128,6 +128,7 @@ typedef struct game_state {
     undo_moment undo[UNDO_MOST];        /* worlds before a change, and those that undo left */
     int32_t undo_at, undo_count;        /* the world is undo[undo_at], or new; how many */
     int32_t editing;                    /* 1: a change began in this frame; 2: and goes on */
+    char sought[64];                    /* what a task says is its reader's to change */
     int32_t panel, tab, enter;          /* a panel is shown, which; Enter was pressed */
     int32_t bar;                        /* the tools are shown */
     float panel_scroll, head;           /* head: height of the strip at the top, units */

@@ -111,6 +111,7 @@ void game_open_scene(game *g, int row)
     s->waits = s->foul = s->foul_before = s->kicks = s->kicks_before = 0;
     s->trial = (wfTrial){ 0 };
     s->challenge = 0;
+    s->sought[0] = 0;
     s->calm = 0;
     if (g->scene->alias) game_begin_challenge(g);
     if (same) keep_wishes(g);

@@ -371,7 +371,8 @@ static float body_panel(ui *u, game *g, float x, float y, float w)
             ui_text(u, x + w - 6, y + high / 2 + 4, 13, WF_INK_TEXT, 1, "?");
             continue;
         }
-        if (ui_number(u, line->name, x, y, w, &n[i], line->range, false))
+        bool asked = strstr(g->state->sought, line->name) != NULL;
+        if (ui_number(u, line->name, x, y, w, &n[i], line->range, asked))
             tell_change(g, change_body(g, id, line, n), line->name);
         ui_tip(u, line->name, line->text, x, y, w, high);
     }

@@ -299,9 +299,9 @@ static void draw_curve(wfDraw *d, const Axes *a, const wfPlots *p, int row, int 
 
 static const char *why_not(const wfPlots *p, int row)
 {
-    if (row == WF_PLOT_STAGES && !p->clocked) return "nobody lends a clock here";
+    if (row == WF_PLOT_STAGES && !p->clocked) return "no clock here";
     if (row >= WF_PLOT_BODY && !p->body.index) return "choose a body";
-    if (row == WF_PLOT_ERROR && p->others < 1) return "compare two worlds";
+    if (row == WF_PLOT_ERROR && p->others < 1) return "no other world";
     if (row != WF_PLOT_STAGES || p->staged > 0) return NULL;
     return p->staged < 0 ? "a scene with hooks: not timed" : "not timed yet";
 }
@@ -336,7 +336,7 @@ void wfDrawPlot(wfDraw *d, int row, const wfPlots *p, float x, float y, float w,
 /* write plots as text */
 const char *wfPlotWhyNot(const wfPlots *p, uint32_t rows)
 {
-    const char *why = "choose a curve";
+    const char *why = "none is on";
     for (int row = 0; row < wfPlotCount && why; row++)
         if (rows >> row & 1) why = why_not(p, row);
     return why;

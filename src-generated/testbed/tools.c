@@ -852,7 +852,7 @@ static void give_kick(tool_work *w)
     }
     wfVec2 v = kick_of(m);
     if (wfLength(v) < WF_R(0.05)) {
-        say_no(w->memory, "press on a body, pull, let go");
+        say_no(w->memory, toolTable[m->tool].text);
         return;
     }
     wfInput in = { .kind = WF_INPUT_IMPULSE, .index = m->body.index,
@@ -860,8 +860,8 @@ static void give_kick(tool_work *w)
     in.with.at = wfWorldBodies(w->world).state[i].p;
     in.with.by = wfScale(1 / share, v);
     wfResult result = tool_put(w, &in, NULL);
-    say(w->memory, result, result ? "not kicked" : m->stands
-        ? "kicked: %.1f m/s, as time runs" : "kicked: %.1f m/s", (double)wfLength(v));
+    say(w->memory, result, result ? "not kicked" : "kicked: %.1f m/s%s",
+        (double)wfLength(v), m->stands ? ", as time runs" : "");
 }
 
 static void draw_kick(const tool_work *w, wfDraw *d)

@@ -2,6 +2,7 @@
  * the chapter and type make. MIT licence. */
 /* A try at a challenge: what was done, whether it counts, what came of it; and whether
  * anything moves. */
+#include <stdio.h>
 #include <string.h>
 #include "testbed/game.h"
 
@@ -25,6 +26,8 @@ static uint64_t sum_of(game *g)
 void game_begin_challenge(game *g)
 {
     g->state->challenge = 1 + wfFindChallenge(g->scene->name);
+    const char *may = challenge_of(g)->changed >= 0 ? challenge_of(g)->may : "";
+    snprintf(g->state->sought, sizeof g->state->sought, "%s", may);
     const char *with = challenge_of(g)->with, *tool = toolTable[g->state->tools.tool].name;
     if (!with || strcmp(with, tool) != 0) g->state->tools.tool = 0;     /* the hand */
     g->state->given = g->state->opened ? sum_of(g) : 0;
