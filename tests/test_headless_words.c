@@ -238,6 +238,32 @@ TEST(the_hint_lies_on_no_body)
     }
 }
 
+/* The button that stays under the mouse has room for its words at each size, within the picture, and a margin to what it lies on. */
+TEST(a_button_that_stays_has_room_for_its_words)
+{
+    static const char *const names[] = { "Size", "List" };
+    for (int i = 0; i < 10; i++) {
+        play p;
+        char script[100];
+        begin(&p, i < 5 ? 1100 : 1000, 700, 1, 0, "pyramid");
+        snprintf(script, sizeof script, "widget %s pixel", names[i / 5]);
+        snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\nframe\n", play_fact(&p, script, 0), play_fact(&p, script, 1));
+        for (int k = 0; k <= i % 5; k++) play_run(&p, script);
+        const game_state *s = state_of(&p);
+        if (!s->again) fail_msg("%s doesn't stay", names[i / 5]);
+        int x = (int)s->again_at[0], y = (int)s->again_at[1], wide = (int)(s->scale * (wfTextWidth(&wfBakedFont, 13, names[i / 5]) + 20));
+        int first = p.buffer.width, last = 0;                   /* of its frame, which is of a warm colour */
+        for (int at = x - wide > 0 ? x - wide : 0; at < x + wide && at < p.buffer.width; at++) {
+            uint8_t c[4];
+            memcpy(c, &p.buffer.pixels[y * p.buffer.pitch + at], 4);
+            if (c[0] - c[2] > 30) first = at < first ? at : first, last = at;
+        }
+        if (last - first < wide) fail_msg("%s at size %d is %d pixels wide, and its words need %d", names[i / 5], (int)s->letters, last - first, wide);
+        assert_true(first > 0 && last < p.buffer.width - 1);
+        play_end(&p);
+    }
+}
+
 /* All words of the sheet of keys are whole, within the picture, and can be scrolled to. */
 TEST(the_sheet_of_keys_is_whole)
 {

@@ -517,9 +517,11 @@ void game_press_again(ui *u, game *g)
 {
     const game_state *s = g->state;
     const button_row *row = &button_table[s->again - 1];
-    float w = fmaxf(s->again_at[2] / u->scale, UI_ICON + 1);
-    ui_button(u, row->name, s->again_at[0] / u->scale - w / 2,
-              s->again_at[1] / u->scale - 12, w, is_on(g, row));
+    float w = fmaxf(s->again_at[2] / u->scale, button_wide(row->name)), edge = 5;
+    float x = s->again_at[0] / u->scale - w / 2, y = s->again_at[1] / u->scale - 12;
+    x = fmaxf(fminf(x, u->width - w - edge), edge);         /* on a card: it lies on top */
+    ui_box(u, x - edge, y - edge, w + 2 * edge, 24 + 2 * edge, WF_INK_LINE, WF_INK_PAPER);
+    ui_button(u, row->name, x, y, w, is_on(g, row));
     if (u->click) game_press_button(g, row);
     u->over = true;
 }
