@@ -539,6 +539,18 @@ TEST(things_are_drawn)
     assert_int_equal(wfDrawAt(&d, 0)->fill, WF_INK_GOOD);
     assert_true(fabsf(wfDrawPoints(&d, wfDrawAt(&d, 0))[5] + 2) < 1e-6f);
     assert_int_equal(commands(&d, WF_DRAW_ARROW, WF_INK_FAINT, -2), 24);
+    /* a floor alone leaves the water as wide as the picture; two walls keep it between them, and above the floor */
+    wfShape side, bottom;
+    assert_int_equal(wfMakeBox(1, 4, &side), WF_OK);
+    assert_int_equal(wfMakeBox(9, 1, &bottom), WF_OK);
+    for (int part = 0; part < 3; part++) {
+        put_body(&w, WF_STATIC, part ? side : bottom, part ? (wfReal)(13 - 8 * part) : 0, part ? -4 : -8);
+        wfDrawReset(&d);
+        wfDrawView(&d, -10, -10, 10, 10);
+        wfShowWorld(&w, 0, &pool, &d);
+        const float *xy = wfDrawPoints(&d, wfDrawAt(&d, 0)), want[2][6] = { { -10, -10, 10, -10, 10, -2 }, { -2, -7, 4, -7, 4, -2 } };
+        for (int k = 0; k < 6; k++) assert_near((double)xy[k], (double)want[part == 2][k], 1e-5);
+    }
     assert_int_equal(wfForceAt(&w, 0).index, id.index);
     assert_int_equal(wfForceAt(&w, 3).index, 0);
     wfDestroyWorld(&w);

@@ -2,7 +2,7 @@
 #include "play.h"
 #include <math.h>
 #include "testbed/font.h"
-#include "testbed/game.h"
+#include "testbed/panels.h"
 #include "testbed/raster.h"
 
 static game_state *state_of(const play *p) { return p->memory.permanent; }
@@ -234,6 +234,59 @@ TEST(the_hint_lies_on_no_body)
         const int foot[4] = { (int)c->left, of[i].height - (int)(26 * state_of(&p)->scale), of[i].width, of[i].height };
         int over = ink_box(&p, wfLightPalette.mark[WF_INK_ACCENT], world, box), below = ink_box(&p, wfLightPalette.mark[WF_INK_ACCENT], foot, box);
         assert_true(of[i].low ? over == 0 && below > 50 : over > 50 && below == 0);
+        play_end(&p);
+    }
+}
+
+/* The button that stays under the mouse has room for its words at each size, within the picture, and a margin to what it lies on. */
+TEST(a_button_that_stays_has_room_for_its_words)
+{
+    static const char *const names[] = { "Size", "List" };
+    for (int i = 0; i < 10; i++) {
+        play p;
+        char script[100];
+        begin(&p, i < 5 ? 1100 : 1000, 700, 1, 0, "pyramid");
+        snprintf(script, sizeof script, "widget %s pixel", names[i / 5]);
+        snprintf(script, sizeof script, "steps 0\nmove %g %g\nframe\nclick left\nframe\nframe\n", play_fact(&p, script, 0), play_fact(&p, script, 1));
+        for (int k = 0; k <= i % 5; k++) play_run(&p, script);
+        const game_state *s = state_of(&p);
+        if (!s->again) fail_msg("%s doesn't stay", names[i / 5]);
+        int x = (int)s->again_at[0], y = (int)s->again_at[1], wide = (int)(s->scale * (wfTextWidth(&wfBakedFont, 13, names[i / 5]) + 20));
+        int first = p.buffer.width, last = 0;                   /* of its frame, which is of a warm colour */
+        for (int at = x - wide > 0 ? x - wide : 0; at < x + wide && at < p.buffer.width; at++) {
+            uint8_t c[4];
+            memcpy(c, &p.buffer.pixels[y * p.buffer.pitch + at], 4);
+            if (c[0] - c[2] > 30) first = at < first ? at : first, last = at;
+        }
+        if (last - first < wide) fail_msg("%s at size %d is %d pixels wide, and its words need %d", names[i / 5], (int)s->letters, last - first, wide);
+        assert_true(first > 0 && last < p.buffer.width - 1);
+        play_end(&p);
+    }
+}
+
+/* All words of the sheet of keys are whole, within the picture, and can be scrolled to. */
+TEST(the_sheet_of_keys_is_whole)
+{
+    static const char *const words[] = { "pause and run", "the view; or drive (W A S D)", "arrows and Enter: a mouse", "picture of the window; drawing",
+                                         "save the world, load it (W, A)", "this sheet" };
+    static const int size[][3] = { { 390, 800, 1 }, { 320, 520, 1 }, { 844, 346, 1 }, { 568, 276, 1 }, { 500, 400, 0 }, { 640, 480, 0 }, { 1100, 700, 0 } };
+    for (size_t i = 0; i < sizeof size / sizeof *size; i++) {
+        play p;
+        char script[200];
+        bool seen[6] = { false };
+        begin(&p, 2 * size[i][0], 2 * size[i][1], 2, size[i][2], "tower");
+        play_run(&p, size[i][2] ? "finger 1\nsteps 0\nkey ?\nframe\nframe\n" : "steps 0\nkey ?\nframe\nframe\n");
+        for (int k = 0; k < 60; k++) {
+            for (int j = 0; j < 6; j++) seen[j] |= is_written(&p, words[j]);
+            for (int y = p.buffer.height / 3; y < p.buffer.height / 2; y++)
+                for (int x = p.buffer.width - 4; x < p.buffer.width; x++) assert_true(p.buffer.pixels[y * p.buffer.width + x] == p.buffer.pixels[0]);
+            int x = (int)(state_of(&p)->scale * (game_list_side(state_of(&p)) + 60)), y = size[i][1];
+            if (size[i][2]) snprintf(script, sizeof script, "finger 1\nsteps 0\nmove %d %d\ndown left\nframe\nmove %d %d\nframe\nup left\nframe\n", x, y, x, y - 60);
+            else snprintf(script, sizeof script, "steps 0\nmove %d %d\nframe\nwheel -0.4\nframe\n", x, y);
+            play_run(&p, script);
+        }
+        for (int j = 0; j < 6; j++)
+            if (!seen[j]) fail_msg("%d x %d: '%s' is nowhere on the sheet", size[i][0], size[i][1], words[j]);
         play_end(&p);
     }
 }

@@ -433,14 +433,42 @@ static void draw_wind(wfDraw *d, wfVec2 wind, const wfVec2 *only)
     }
 }
 
-static void draw_water(wfDraw *d, wfReal surface)
+/* Cuts the picture's part `in' down to what lies between walls that stand through the
+ * surface, and above the floor between them; without such walls the water has no end. */
+static void find_basin(const wfWorld *world, const Places *at, wfReal surface, float in[4])
+{
+    wfBodyView v = wfWorldBodies(world);
+    wfReal left = WF_HUGE, right = -WF_HUGE, floor = -WF_HUGE;
+    for (int pass = 0; pass < 2; pass++) {
+        wfReal middle = left / 2 + right / 2, walls[2] = { -WF_HUGE, WF_HUGE };
+        for (int32_t i = 0; i < v.count; i++) {
+            if (!v.alive[i] || v.props[i].type != WF_STATIC || v.props[i].shape < 0) continue;
+            wfRect r = wfShapeBounds(&v.shapes[v.props[i].shape], place_of(at, i));
+            bool wall = r.min.y < surface && r.max.y > surface;
+            bool under = r.max.y <= surface && r.min.x < middle && r.max.x > middle;
+            if (pass == 0 && wall) left = wfMinR(left, r.min.x);
+            if (pass == 0 && wall) right = wfMaxR(right, r.max.x);
+            if (pass && wall && r.max.x < middle) walls[0] = wfMaxR(walls[0], r.max.x);
+            if (pass && wall && r.min.x > middle) walls[1] = wfMinR(walls[1], r.min.x);
+            if (pass && under) floor = wfMaxR(floor, r.max.y);
+        }
+        if (pass == 0) continue;
+        if (walls[0] == -WF_HUGE || walls[1] == WF_HUGE) return;
+        if ((float)walls[0] > in[0]) in[0] = (float)walls[0];
+        if ((float)floor > in[1]) in[1] = (float)floor;
+        if ((float)walls[1] < in[2]) in[2] = (float)walls[1];
+    }
+}
+
+static void draw_water(const wfWorld *world, const Places *at, wfReal surface, wfDraw *d)
 {
     float y = (float)surface, top = y < d->view[3] ? y : d->view[3];
-    float xy[] = { d->view[0], d->view[1], d->view[2], d->view[1], d->view[2], top,
-                   d->view[0], top };
-    if (!(top > d->view[1])) return;
+    float in[4] = { d->view[0], d->view[1], d->view[2], top };
+    find_basin(world, at, surface, in);
+    float xy[] = { in[0], in[1], in[2], in[1], in[2], top, in[0], top };
+    if (!(top > in[1] && in[2] > in[0])) return;
     wfDrawPolygon(d, xy, 4, 0, WF_INK_NONE, WF_INK_GOOD);
-    if (y <= top) wfDrawLine(d, d->view[0], y, d->view[2], y, 2, WF_INK_GOOD);
+    if (y <= top) wfDrawLine(d, in[0], y, in[2], y, 2, WF_INK_GOOD);
 }
 
 /* What is behind the bodies. */
@@ -449,7 +477,7 @@ static void draw_field(const wfWorld *world, const wfForce *f, const Places *at,
     bool of_body = f->kind == WF_FORCE_POINT_GRAVITY && f->b >= 0;
     wfVec2 centre = of_body ? place_of(at, f->b).p : f->point.centre;
     float r = small_thing(d);
-    if (f->kind == WF_FORCE_BUOYANCY) draw_water(d, f->buoyancy.surfaceY);
+    if (f->kind == WF_FORCE_BUOYANCY) draw_water(world, at, f->buoyancy.surfaceY, d);
     wfVec2 place = f->a >= 0 ? place_of(at, f->a).p : centre;
     if (f->kind == WF_FORCE_WIND)
         draw_wind(d, f->wind.velocity, f->a >= 0 ? &place : NULL);

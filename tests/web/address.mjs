@@ -25,6 +25,7 @@ const open = async (hash, reducedMotion = 'no-preference') => {
 };
 const page = await open('#cradle');
 await page.until('scene', 'cradle');
+check(!/chapter|program/.test(await page.locator('header span').innerText()), 'the first line speaks of the book, and not of what can be done');
 await page.evaluate(() => document.getElementById('testbed').game.open('bridge'));
 await page.hash('#scene=bridge');
 await page.evaluate(() => document.getElementById('testbed').game.open('dominoes'));
