@@ -524,9 +524,11 @@ void game_press_again(ui *u, game *g)
 {
     const game_state *s = g->state;
     const button_row *row = &button_table[s->again - 1];
-    float w = fmaxf(s->again_at[2] / u->scale, UI_ICON + 1);
-    ui_button(u, row->name, s->again_at[0] / u->scale - w / 2,
-              s->again_at[1] / u->scale - 12, w, is_on(g, row));
+    float w = fmaxf(s->again_at[2] / u->scale, button_wide(row->name)), edge = 5;
+    float x = s->again_at[0] / u->scale - w / 2, y = s->again_at[1] / u->scale - 12;
+    x = fmaxf(fminf(x, u->width - w - edge), edge);         /* on a card: it lies on top */
+    ui_box(u, x - edge, y - edge, w + 2 * edge, 24 + 2 * edge, WF_INK_LINE, WF_INK_PAPER);
+    ui_button(u, row->name, x, y, w, is_on(g, row));
     if (u->click) game_press_button(g, row);
     u->over = true;
 }
@@ -543,7 +545,7 @@ void game_key_sheet(ui *u, game *g, float x)
         { "Tab, \\", "hide or show the list" },
 #endif
         { "H", "look at the whole scene" }, { "+ and -", "zoom" },
-        { "arrows", "move the view; or drive (W A S D)" },
+        { "arrows", "the view; or drive (W A S D)" },
         { "Q, E, wheel", "turn what is held" }, { "T", "change its shape" },
         { "1 to 0", "show contacts, normals, ..." }, { "D", "dark or light" },
         { "S", "the settings of the world" }, { "/", "find a scene" },
@@ -553,7 +555,7 @@ void game_key_sheet(ui *u, game *g, float x)
         { "U, Z", "write and read JSON" }, { "C", "copy the scene as C" },
         { "! #", "picture of the window; drawing" },
         { "% &", "film; film as single pictures" },
-        { "M", "arrows and Enter are the mouse" },
+        { "M", "arrows and Enter: a mouse" },
         { "N, Delete", "choose a body; remove it" },
         { "Ctrl-A, Esc", "choose all bodies, none" },
         { "Ctrl-C -V -D", "copy, put down, double" },
@@ -563,15 +565,16 @@ void game_key_sheet(ui *u, game *g, float x)
         { "?", "this sheet" },
     };
     int rows = (int)(sizeof sheet / sizeof *sheet);
-    float wide = 316, top = s->height < 560 ? 6 : 96, line = 20;
+    float wide = fminf(316, s->width - 8), top = s->height < 560 ? 6 : 96, line = 20;
+    float below = wide < 300 ? 16 : 0;          /* what a key does stands below its name */
     float room = s->height - top - 18 - (top > 50 ? FOOT : 0);     /* above the state */
     float least = s->width < 2 * wide ? 13 : 17;            /* of a line, for one column */
-    int columns = room < least * (float)rows ? 2 : 1, each = (rows + columns - 1) / columns;
-    if (columns == 2 && x + 2 * wide > s->width)
-        x = s->width > 2 * wide ? s->width - 2 * wide : 4;
+    int columns = room < (least + below) * (float)rows ? 2 : 1, each;
     bool scrolls = columns == 2 && 2 * wide > s->width - 8;
-    if (scrolls) columns = 1, each = rows, wide = fminf(wide, s->width - 8), line = 17;
-    else if (line * (float)each > room) line = room / (float)each;
+    if (scrolls) columns = 1, line = 17 + below;
+    each = (rows + columns - 1) / columns;
+    x = fmaxf(fminf(x, s->width - 4 - wide * (float)columns), 4);
+    if (!scrolls && line * (float)each > room) line = room / (float)each;
     float h = line * (float)each + 14, seen = fminf(h, room + 14);
     ui_box(u, x, top, wide * (float)columns, seen, WF_INK_FAINT, WF_INK_PAPER);
     bool inside = ui_inside(u, x, top, wide * (float)columns, seen);
@@ -584,8 +587,9 @@ void game_key_sheet(ui *u, game *g, float x)
     for (int i = 0; i < rows; i++) {
         float left = x + wide * (float)(i / each), y = top + 18 + line * (float)(i % each);
         y -= s->keys_scroll;
-        if (scrolls && (y < top + 13 || y > top + seen - 3)) continue;
+        if (scrolls && (y < top + 13 || y + below > top + seen - 3)) continue;
         ui_text(u, left + 12, y, 13, WF_INK_TEXT, -1, sheet[i][0]);
-        ui_fitted(u, left + 96, y, WF_INK_TEXT, wide - 104, sheet[i][1]);
+        float in = below > 0 ? 24 : 94;
+        ui_fitted(u, left + in, y + below, WF_INK_TEXT, wide - in - 6, sheet[i][1]);
     }
 }

@@ -11,7 +11,7 @@ smallest="gcc -std=c11 -ffp-contract=off -fno-math-errno -w -Oz -fno-asynchronou
   -mtune=core2 -ftree-slp-vectorize -fno-tree-loop-vectorize -fno-ipa-sra -fno-ipa-pure-const -fno-tree-loop-distribute-patterns
   -fno-move-loop-invariants -fno-tree-loop-im -fno-tree-loop-ivcanon -fno-tree-dominator-opts -fno-tree-forwprop -fno-forward-propagate
   -fno-tree-scev-cprop -fno-early-inlining -fno-inline-small-functions -fno-caller-saves -fno-shrink-wrap -fno-schedule-insns2
-  -fno-expensive-optimizations -fno-ssa-phiopt -fno-defer-pop -fno-tree-fre -fno-tree-copy-prop -fsplit-wide-types-early --param=logical-op-non-short-circuit=0"
+  -fno-expensive-optimizations -fno-ssa-phiopt -fno-tree-tail-merge -fno-defer-pop -fno-tree-fre -fno-tree-copy-prop -fsplit-wide-types-early --param=logical-op-non-short-circuit=0"
 [ "${1-}" = --compiler ] && { echo $smallest; exit 0; }
 [ "$(uname -m)" = x86_64 ] && command -v gcc >/dev/null || { echo "left out: the smallest build is of gcc for x86-64"; exit 0; }
 work=build/check/smallest; mkdir -p "$work"
