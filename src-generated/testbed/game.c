@@ -13,27 +13,6 @@ static void strip(ui *u, float y, float h)
     if (ui_inside(u, 0, y, u->width, h)) u->over = true;
 }
 
-/* In a low window the scene's name and its sentence stand behind the buttons, in two lines,
- * or the sentence in lines of its own below all rows. Returns how high these are. */
-static float low_title(ui *u, const game *g, const bar *b, float x)
-{
-    char both[2 * GAME_NAME_SIZE + 160];
-    const char *text = g->scene->alias ? "" : g->scene->text;   /* a task: on its card */
-    float rest = b->right - b->x - 6, slack = 90;               /* a word at the line's end */
-    snprintf(both, sizeof both, "%s%s%s", g->scene->name, *text ? ": " : "", text);
-    const char *lines[] = { both, text };
-    for (int i = 0; i < 2 && *text; i++) {
-        float wide = wfTextWidth(&wfBakedFont, 13, lines[i]);
-        if (wide > rest && wide + slack > 2 * rest) continue;
-        ui_wrapped(u, b->x + 6, b->y + (wide > rest ? 8 : 16), rest, WF_INK_TEXT, lines[i]);
-        return 0;
-    }
-    if (rest > 60) ui_fitted(u, b->x + 6, b->y + 16, WF_INK_TEXT, rest, g->scene->name);
-    if (!*text) return 0;
-    return ui_wrapped(u, x, g->state->head + 12, g->state->width - x - 6, WF_INK_TEXT, text)
-           - g->state->head - 10;
-}
-
 static void interface(ui *u, game *g, double seconds)
 {
     game_state *s = g->state;
@@ -60,7 +39,7 @@ static void interface(ui *u, game *g, double seconds)
     b.terse = false, b.gap = 4;
     if (s->bar) game_tool_bar(u, g, &b);
     s->head = b.y + ui_bar_high(u) + (s->height < LOW ? 0 : HEAD_TEXT - 10);
-    if (s->height < LOW) s->head += low_title(u, g, &first, x);
+    if (s->height < LOW) s->head += game_low_title(u, g, &first, x);
     /* name the scene */
     if (s->height >= LOW) {
         char title[2 * GAME_NAME_SIZE + 4];
