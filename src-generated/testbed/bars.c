@@ -275,26 +275,6 @@ static void one_button(ui *u, game *g, bar *b, const button_row *row)
     s->again_at[2] = w * k, s->again_at[3] = 24 * k;
 }
 
-/* A button of this scene alone. Where the tools or the row of "More" are shown on a
- * telephone it takes no third row. */
-static bool own_button(ui *u, const game_state *s, bar *b, const char *name,
-                       const char *text)
-{
-    bool full = is_narrow(s) && (s->bar || s->more);
-    if (full && b->x + button_wide(name) > b->right) return false;
-    return bar_button(u, b, name, false, text);
-}
-
-static void own_buttons(ui *u, game *g, bar *b)
-{
-    game_state *s = g->state;
-    const char *change = g->scene->change;
-    if (s->rate != 1 && own_button(u, s, b, "Real time", "as fast as it is")) s->rate = 1;
-    if (change && own_button(u, s, b, change, "as the key T")) s->input.choice++;
-    if (g->scene->points > 1 && own_button(u, s, b, "Turn it", "as the keys Q and E"))
-        s->input.turn = wfWrapAngle(s->input.turn + WF_R(0.3));
-}
-
 void game_buttons(ui *u, game *g, bar *b)
 {
     bool narrow = is_narrow(g->state), more = g->state->more && !g->state->bar;
@@ -315,7 +295,7 @@ void game_buttons(ui *u, game *g, bar *b)
         }
     }
     b->least = 0;
-    own_buttons(u, g, b);
+    game_own_buttons(u, g, b);
 }
 
 const char *game_hint(const game *g, bool low)
@@ -507,6 +487,47 @@ void game_press_home(game *g)
     bool all = 1.2f * size < MOST;
     c->height *= fminf(fmaxf(1.2f * size, 1), MOST);
     c->x = all ? (box[0] + box[2]) / 2 : at[0], c->y = all ? (box[1] + box[3]) / 2 : at[1];
+}
+
+/* A button of this scene alone. Where the tools or the row of "More" are shown on a
+ * telephone it takes no third row. */
+static bool own_button(ui *u, const game_state *s, bar *b, const char *name,
+                       const char *text)
+{
+    bool full = is_narrow(s) && (s->bar || s->more);
+    if (full && b->x + button_wide(name) > b->right) return false;
+    return bar_button(u, b, name, false, text);
+}
+
+void game_own_buttons(ui *u, game *g, bar *b)
+{
+    game_state *s = g->state;
+    const char *change = g->scene->change;
+    if (s->rate != 1 && own_button(u, s, b, "Real time", "as fast as it is")) s->rate = 1;
+    if (change && own_button(u, s, b, change, "as the key T")) s->input.choice++;
+    if (g->scene->points > 1 && own_button(u, s, b, "Turn it", "as the keys Q and E"))
+        s->input.turn = wfWrapAngle(s->input.turn + WF_R(0.3));
+}
+
+/* In a low window the scene's name and its sentence stand behind the buttons, in two lines,
+ * or the sentence in lines of its own below all rows. Returns how high these are. */
+float game_low_title(ui *u, const game *g, const bar *b, float x)
+{
+    char both[2 * GAME_NAME_SIZE + 160];
+    const char *text = g->scene->alias ? "" : g->scene->text;   /* a task: on its card */
+    float rest = b->right - b->x - 6, slack = 90;               /* a word at the line's end */
+    snprintf(both, sizeof both, "%s%s%s", g->scene->name, *text ? ": " : "", text);
+    const char *lines[] = { both, text };
+    for (int i = 0; i < 2 && *text; i++) {
+        float wide = wfTextWidth(&wfBakedFont, 13, lines[i]);
+        if (wide > rest && wide + slack > 2 * rest) continue;
+        ui_wrapped(u, b->x + 6, b->y + (wide > rest ? 8 : 16), rest, WF_INK_TEXT, lines[i]);
+        return 0;
+    }
+    if (rest > 60) ui_fitted(u, b->x + 6, b->y + 16, WF_INK_TEXT, rest, g->scene->name);
+    if (!*text) return 0;
+    return ui_wrapped(u, x, g->state->head + 12, g->state->width - x - 6, WF_INK_TEXT, text)
+           - g->state->head - 10;
 }
 
 /* List and Size move when they are pressed. One more of it stays under the mouse until that

@@ -55,6 +55,8 @@ void game_list_panel(ui *u, game *g);
 void game_buttons(ui *u, game *g, bar *b);
 bool game_stays_under(const ui *u, game_state *s);
 void game_press_again(ui *u, game *g);
+void game_own_buttons(ui *u, game *g, bar *b);
+float game_low_title(ui *u, const game *g, const bar *b, float x);
 void game_tool_bar(ui *u, game *g, bar *b);
 void game_state_line(ui *u, const game *g, float x);
 /* What is to be said in the picture, or, low, on the last line; or NULL. */

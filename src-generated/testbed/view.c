@@ -442,8 +442,9 @@ static void find_basin(const wfWorld *world, const Places *at, wfReal surface, f
     for (int pass = 0; pass < 2; pass++) {
         wfReal middle = left / 2 + right / 2, walls[2] = { -WF_HUGE, WF_HUGE };
         for (int32_t i = 0; i < v.count; i++) {
-            if (!v.alive[i] || v.props[i].type != WF_STATIC || v.props[i].shape < 0) continue;
-            wfRect r = wfShapeBounds(&v.shapes[v.props[i].shape], place_of(at, i));
+            int32_t k = v.props[i].shape;
+            if (!v.alive[i] || v.props[i].type != WF_STATIC || k < 0) continue;
+            wfRect r = wfShapeBounds(&v.shapes[k], place_of(at, i));
             bool wall = r.min.y < surface && r.max.y > surface;
             bool under = r.max.y <= surface && r.min.x < middle && r.max.x > middle;
             if (pass == 0 && wall) left = wfMinR(left, r.min.x);
