@@ -490,6 +490,7 @@ TEST(fingers_find_things_where_they_were)
     assert_near(play_fact(&p, "widget Undo pixel", 1), y, 0);
     tap(&p, play_fact(&p, "widget Play pixel", 0), play_fact(&p, "widget Play pixel", 1));
     float scale = state_of(&p)->scale;
+    tap(&p, play_fact(&p, "widget More pixel", 0), play_fact(&p, "widget More pixel", 1));
     tap(&p, play_fact(&p, "widget Size pixel", 0), play_fact(&p, "widget Size pixel", 1));
     assert_true(state_of(&p)->scale > scale);
     state_of(&p)->letters = 0;
