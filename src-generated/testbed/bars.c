@@ -434,7 +434,7 @@ void game_tool_bar(ui *u, game *g, bar *b)
         if (hit) game_choose_tool(g, i);
     }
     if (tight) b->x += 6;
-    rest = (b->right - b->x + 6) / TOOL_ASKS - 6;               /* for each, in the same row */
+    rest = (b->right - b->x + 6) / TOOL_ASKS - 6;           /* for each, in the same row */
     bool below = low ? rest < 70 : tight || b->x + n * (wide + 6) - 6 > b->right;
     float high = ui_bar_high(u), line = ui_line_high(u), y = b->y + 12 - line / 2;
     if (low && !below) wide = fminf(wide, rest);
@@ -514,8 +514,8 @@ void game_own_buttons(ui *u, game *g, bar *b)
 float game_low_title(ui *u, const game *g, const bar *b, float x)
 {
     char both[2 * GAME_NAME_SIZE + 160];
-    const char *text = g->scene->alias ? "" : g->scene->text;   /* a task: on its card */
-    float rest = b->right - b->x - 6, slack = 90;               /* a word at the line's end */
+    const char *text = g->scene->alias ? "" : g->scene->text;  /* a task: on its card */
+    float rest = b->right - b->x - 6, slack = 90;           /* a word at the line's end */
     snprintf(both, sizeof both, "%s%s%s", g->scene->name, *text ? ": " : "", text);
     const char *lines[] = { both, text };
     for (int i = 0; i < 2 && *text; i++) {

@@ -130,8 +130,8 @@ bool game_set(game_memory *memory, const char *name, double value);
    that the user has changed. Returns the length, as game_describe does. */
 size_t game_link(game_memory *memory, char *text, size_t size);
 
-/* 1: the user has changed the world; 2: one that Undo would bring back; 0 (a page asks before
-   it goes, otherwise). Does he type letters or a number (a finger needs a keyboard then)? */
+/* 1: the user has changed the world; 2: one that Undo would bring back; else 0 (a page asks
+   before it goes if not 0). Does he type (a finger needs a keyboard then)? */
 int32_t game_has_work(const game_memory *memory);
 bool game_wants_letters(const game_memory *memory);
 

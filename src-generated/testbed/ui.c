@@ -212,7 +212,8 @@ static const struct { const char *name, *strokes; } icons[] = {
     { "Hand", "Fdbdlgjinjmhili" }, { "Place", "cecmkmkece mamd kbnb" },
     { "Draw", "bkdfhclgkknm" }, { "Pin", "Fhbjckejghhfgeefc hhhn" },
     { "Connect", "bhddgdihgldlbh ghidldnhllilgh" }, { "Lasso", "hcddbgdjikminfldhc ejdn" },
-    { "More", "Fbgdgdibi Fggigiigi Flgngnili" }, { "Delete", "ccmm mccm" }, { "Probe", "cfdcgbjckfjigjdicf ijnn" },
+    { "More", "Fbgdgdibi Fggigiigi Flgngnili" }, { "Delete", "ccmm mccm" },
+    { "Probe", "cfdcgbjckfjigjdicf ijnn" },
     { "Kick", "Fbfhfhbnhhnhjbj" }, { "Bar", "Fbkdmndlb" },
 };
 
