@@ -8,6 +8,7 @@ const open = async (motion) => {
   await page.goto('file://' + join(html, 'testbed.html#stack of boxes'));
   await page.waitForFunction(() => { const c = document.getElementById('testbed'); return c.game && /^widget /m.test(c.game.describe()); }, null, { timeout: 20000 });
   await page.waitForSelector('[role=toolbar] button', { state: 'attached', timeout: 20000 });
+  await page.waitForTimeout(300);      // the first frames settle where the list stands
   page.tell = label => page.evaluate(label => (document.getElementById('testbed').game.describe().match(new RegExp(`^${label} (.*)$`, 'm')) || ['', ''])[1], label);
   return page;
 };
