@@ -71,7 +71,7 @@ upto-all:
 # LIBDIR=lib64, or lib/x86_64-linux-gnu: where the system keeps its libraries
 LIBDIR ?= lib
 UP = $(shell echo '$(LIBDIR)' | sed 's|[^/][^/]*|..|g')
-install: $(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a
+install: $(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a $(BUILD)/lib/pkgconfig/weft.pc
 	@install -d $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig $(DESTDIR)$(PREFIX)/$(LIBDIR)/cmake/weft $(DESTDIR)$(PREFIX)/bin
 	@install -m 644 src-generated/include/weft/*.h tangle/old_names.h $(DESTDIR)$(PREFIX)/include/weft/
 	@install -m 644 $(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a $(DESTDIR)$(PREFIX)/$(LIBDIR)/
@@ -90,7 +90,8 @@ dist:
 uninstall:
 	@rm -rf $(DESTDIR)$(PREFIX)/include/weft $(DESTDIR)$(PREFIX)/$(LIBDIR)/cmake/weft $(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig/weft.pc $(DESTDIR)$(PREFIX)/$(LIBDIR)/pkgconfig/weft-json.pc
 	@rm -f $(DESTDIR)$(PREFIX)/$(LIBDIR)/libweft* $(DESTDIR)$(PREFIX)/bin/weft.dll $(addprefix $(DESTDIR)$(PREFIX)/bin/,weft-testbed weft-headless weft-lab weft-rube)
-# either may be there without the other
+# one may be there without the others: the programs need no more than libweft.a
 $(BUILD)/lib/libweft-collision.a: $(BUILD)/lib/libweft.a
-$(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a:
+$(BUILD)/lib/pkgconfig/weft.pc: $(BUILD)/lib/libweft-collision.a
+$(BUILD)/lib/libweft.a $(BUILD)/lib/libweft-collision.a $(BUILD)/lib/pkgconfig/weft.pc:
 	@$(if $(wildcard $(BUILD)/tangle.stamp),$(MAKE) --no-print-directory engine,$(SUBMAKE) -f tangle/compile.mk SRC=src-generated OUT=$(BUILD) lib)

@@ -274,7 +274,8 @@ wfResult wfSetBodyVelocity(wfWorld *world, wfBodyId id, wfVec2 velocity,
     if (b.props[i].type == WF_STATIC)
         return wfRefuse(&b, WF_ERROR_RANGE, "velocity",
                         "a static body has none: make it kinematic by wfChangeBodyType");
-    if (angularVelocity != 0 && b.props[i].fixedRotation)
+    bool may = wfHas(b.head, WF_MODULE_ROTATION);
+    if (angularVelocity != 0 && may && b.props[i].fixedRotation)
         return wfRefuseValue(&b, WF_ERROR_RANGE, "angularVelocity", (double)angularVelocity,
                              "the body has fixedRotation, must be 0: "
                              "let it turn by wfSetBodyFixedRotation");
@@ -415,13 +416,12 @@ wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal an
     wfVec2 to = wfApply(wfMakeTransform(position, angle), b.props[i].localCentre);
     wfReal turn = wfWrapAngle(angle - s->angle);
     /* refuse to turn what never turns */
-    if (b.props[i].fixedRotation) {
-        if (wfAbs(turn) > 4 * WF_EPSILON * (1 + wfAbs(angle)))
-            return wfRefuseValue(&b, WF_ERROR_RANGE, "angle", (double)angle,
-                "the body has fixedRotation: give its own angle, "
-                "or let it turn by wfSetBodyFixedRotation");
-        turn = 0;
-    }
+    bool may = wfHas(b.head, WF_MODULE_ROTATION);
+    if (b.props[i].fixedRotation && wfAbs(turn) <= 4 * WF_EPSILON * (1 + wfAbs(angle))) turn = 0;
+    if (b.props[i].fixedRotation && may && turn != 0)
+        return wfRefuseValue(&b, WF_ERROR_RANGE, "angle", (double)angle,
+                             "the body has fixedRotation: give its own angle, "
+                             "or let it turn by wfSetBodyFixedRotation");
     wfVec2 velocity = wfScale(1 / seconds, wfSub(to, s->p));
     if (!wfIsFinite2(velocity) || !wfIsFinite(turn / seconds))
         return wfRefuseValue(&b, WF_ERROR_NOT_FINITE, "seconds", (double)seconds,
