@@ -417,7 +417,8 @@ wfResult wfSetBodyTarget(wfWorld *world, wfBodyId id, wfVec2 position, wfReal an
     wfReal turn = wfWrapAngle(angle - s->angle);
     /* refuse to turn what never turns */
     bool may = wfHas(b.head, WF_MODULE_ROTATION);
-    if (b.props[i].fixedRotation && wfAbs(turn) <= 4 * WF_EPSILON * (1 + wfAbs(angle))) turn = 0;
+    wfReal rounding = 4 * WF_EPSILON * (1 + wfAbs(angle));
+    if (b.props[i].fixedRotation && wfAbs(turn) <= rounding) turn = 0;
     if (b.props[i].fixedRotation && may && turn != 0)
         return wfRefuseValue(&b, WF_ERROR_RANGE, "angle", (double)angle,
                              "the body has fixedRotation: give its own angle, "
