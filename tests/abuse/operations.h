@@ -85,7 +85,7 @@ static wfResult op_add_body(Session *s)
     d.restitution = more(s, 1); d.friction = more(s, 1);
     s->poisoned = s->poisoned || before;
     d.fixedRotation = chance(s, 20) ? yes(s) : 0;
-    if (d.fixedRotation && chance(s, 180)) d.angularVelocity = 0;
+    if (d.fixedRotation && !s->poisoned && chance(s, 180)) d.angularVelocity = 0;
     if (chance(s, 30)) { d.linearDamping = more(s, 2); d.angularDamping = more(s, 2); d.gravityScale = real(s, 2); }
     d.neverSleeps = chance(s, 20) ? yes(s) : 0;
     wfResult r = CALL(wfAddBodyToWorld(handle(s), &d, &id));
